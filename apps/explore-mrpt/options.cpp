@@ -1,0 +1,86 @@
+#include <explore-mrpt/exit_codes.h>
+#include <explore-mrpt/options.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+
+namespace explore::app
+{
+namespace
+{
+using mrpt::system::VerbosityLevel;
+
+const std::map<std::string, VerbosityLevel> kVerbosities{{"DEBUG", mrpt::system::LVL_DEBUG},
+                                                         {"INFO", mrpt::system::LVL_INFO},
+                                                         {"WARN", mrpt::system::LVL_WARN},
+                                                         {"ERROR", mrpt::system::LVL_ERROR}};
+const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
+
+void addInputOptions(CLI::App& app, Options& options)
+{
+	app.add_option("--ini", options.ini, "Configuration: a path, or a name in the ini/ folder such as corridor.ini")
+	    ->type_name("NAME");
+	app.add_option("--rawlog", options.rawlog, "Recording to explore, instead of the ini's")->type_name("FILE");
+	app.add_option("--sensors-pose", options.sensors_pose,
+	               "Sensor poses from a rawlog-grabber ini, instead of the recorded ones")
+	    ->type_name("FILE");
+	app.add_option("--set", options.set, "Overrides one key of the ini; may be repeated")
+	    ->type_name("SECTION.KEY=VALUE")
+	    ->allow_extra_args(false);
+	app.add_option("--robot", options.robot,
+	               "ground or mav; where the ini says the other, with that one's default size")
+	    ->type_name("KIND")
+	    ->transform(CLI::CheckedTransformer(kRobots, CLI::ignore_case).description(""));
+	app.add_option("--max-frames", options.max_frames, "Stops after N frames")
+	    ->type_name("N")
+	    ->check(CLI::PositiveNumber.description(""));
+	app.add_option("--seed", options.seed, "The same as --set perception.seed=N")->type_name("N");
+}
+
+void addOutputOptions(CLI::App& app, Options& options)
+{
+	app.add_option("--out", options.out, "Folder for the results; - writes JSON lines to standard output, and no files")
+	    ->type_name("DIR")
+	    ->capture_default_str();
+	app.add_option("--verbosity", options.verbosity, "DEBUG, INFO (default), WARN or ERROR")
+	    ->type_name("LEVEL")
+	    ->transform(CLI::CheckedTransformer(kVerbosities, CLI::ignore_case).description(""));
+	app.add_flag("--quiet", options.quiet, "No progress, no summary; warnings and errors only");
+	app.add_flag("--dump-config", options.dump_config, "Prints the complete ini with the values in force, and exits");
+}
+}  // namespace
+
+ParsedOptions parseOptions(int argc, const char* const* argv)
+{
+	ParsedOptions parsed;
+	CLI::App app("Turns the depth frames of a recording into headings: doors, vanishing points, obstacles avoided.",
+	             "explore-mrpt");
+	app.set_version_flag("--version", "explore-mrpt " + version());
+	addInputOptions(app, parsed.options);
+	addOutputOptions(app, parsed.options);
+	app.footer(
+	    "Exit codes: 0 done, 1 internal error, 2 usage or configuration, 3 input unreadable or damaged,\n"
+	    "4 sensor lost, 5 output cannot be written, 130 / 143 interrupted.");
+	if (argc <= 1)
+	{
+		std::cerr << app.help();
+		parsed.exit_code = kUsageError;
+		return parsed;
+	}
+	try
+	{
+		app.parse(argc, argv);
+	}
+	catch (const CLI::ParseError& answer)
+	{
+		parsed.exit_code = app.exit(answer, std::cout, std::cerr) == 0 ? kDone : kUsageError;
+	}
+	return parsed;
+}
+
+std::string version()
+{
+	return EXPLORE_VERSION;
+}
+}  // namespace explore::app

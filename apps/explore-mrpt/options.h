@@ -1,0 +1,40 @@
+// The command line of explore-mrpt.
+#pragma once
+
+#include <explore/core/robot.h>
+#include <mrpt/system/COutputLogger.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace explore::app
+{
+struct Options
+{
+	std::string ini;                  ///< empty = built-in defaults
+	std::string rawlog;               ///< empty = as the ini says
+	std::string out = "explore-out";  ///< "-" = JSON lines on standard output and no files
+	std::vector<std::string> set;     ///< "section.key=value"
+	std::optional<RobotKind> robot;
+	std::string sensors_pose;
+	std::optional<mrpt::system::VerbosityLevel> verbosity;
+	std::optional<std::size_t> max_frames;
+	std::optional<int> seed;
+	bool quiet = false;
+	bool dump_config = false;
+
+	[[nodiscard]] bool toStandardOutput() const { return out == "-"; }
+};
+
+/** What the command line asks for; after --help, --version or a usage error, which it answers itself, the exit code. */
+struct ParsedOptions
+{
+	Options options;
+	std::optional<int> exit_code;
+};
+ParsedOptions parseOptions(int argc, const char* const* argv);
+
+/** The program's version, as in --version and summary.json. */
+std::string version();
+}  // namespace explore::app

@@ -1,0 +1,157 @@
+#include <explore-mrpt/console_logger.h>
+#include <explore-mrpt/exit_codes.h>
+#include <explore-mrpt/input_paths.h>
+#include <explore-mrpt/interrupt.h>
+#include <explore-mrpt/mounted_source.h>
+#include <explore-mrpt/run.h>
+#include <explore-mrpt/run_outputs.h>
+#include <explore/core/errors.h>
+
+namespace explore::app
+{
+namespace
+{
+/** The two ends and what is counted between them. */
+struct Run
+{
+	const Options& options;
+	const AppConfig& config;
+	FrameSource& source;
+	RunOutputs& outputs;
+	StatusLine& status;
+	TimingRecord timing;
+	RunTally tally;
+};
+
+/** One frame from end to end; false when there is none left. */
+bool exploreOneFrame(Run& run, ExplorerState& state)
+{
+	StageClock clock;
+	clock.start();
+	const auto frame = run.source.next();
+	if (!frame) return false;
+	clock.ended("read");
+	const StepResult result =
+	    step(*frame, state, run.config.explorer, [&](std::string_view stage) { clock.ended(stage); });
+	run.outputs.write(*frame, result);
+	clock.ended("write");
+
+	run.outputs.writeTimes(frame->index, clock.times());
+	run.timing.add(clock.times());
+	run.tally.add(*frame, result);
+	return true;
+}
+
+Progress progressOf(const Run& run)
+{
+	return {run.tally.frames, run.source.progress(), run.tally.doors_in_view};
+}
+
+/** Frame after frame; returns why it ended. */
+std::string exploreAll(Run& run)
+{
+	const auto start = std::chrono::steady_clock::now();
+	ExplorerState state;
+	while (signalReceived() == 0)
+	{
+		if (run.options.max_frames && run.tally.frames >= *run.options.max_frames) return "max frames";
+		if (!exploreOneFrame(run, state)) return run.source.report().damage.empty() ? "log ended" : "input damaged";
+		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+		run.status.update(progressOf(run), elapsed.count());
+	}
+	return "interrupted";
+}
+
+InputSummary inputSummary(const SourceReport& report)
+{
+	return {report.kind,   report.path,         report.skipped_frames, report.lost_bytes,  report.lost_objects,
+	        report.damage, report.sensor_label, report.sensors_found,  report.pose_origin, report.identity_mount};
+}
+
+RunSummary summaryOf(const Run& run, const std::string& reason)
+{
+	return {version(),
+	        run.options.ini,
+	        inputSummary(run.source.report()),
+	        run.tally,
+	        reason,
+	        run.timing.statistics(),
+	        peakResidentMegabytes()};
+}
+
+/** Explores and writes the summary, also when it ends in an error, which is passed on. */
+RunSummary exploreAndSum(Run& run)
+{
+	try
+	{
+		const std::string reason = exploreAll(run);
+		run.status.finish();
+		RunSummary summary = summaryOf(run, reason);
+		run.outputs.finish(summary);
+		return summary;
+	}
+	catch (const std::exception& error)
+	{
+		run.status.finish();
+		try
+		{
+			run.outputs.finish(summaryOf(run, std::string("error: ") + error.what()));
+		}
+		catch (const OutputError&)
+		{
+			// The first error says why; that the summary is missing as well adds nothing.
+		}
+		throw;
+	}
+}
+
+std::unique_ptr<FrameSource> openSource(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
+{
+	SourceConfig source = loaded.config.source;
+	if (source.rawlog.empty())
+		throw ConfigError("no input: name a recording with --rawlog, or in the ini with [source] rawlog");
+	if (options.rawlog.empty()) source.rawlog = findRawlogOfIni(source.rawlog, loaded.ini).string();
+	return std::make_unique<MountedSource>(makeSource(source, logger), source.camera.mount,
+	                                       loaded.config.explorer.perception, logger);
+}
+
+int exitCode(const RunSummary& summary, ConsoleLogger& logger)
+{
+	const InputSummary& input = summary.input;
+	if (signalReceived() != 0) return kSignalBase + signalReceived();
+	if (!input.damage.empty())
+	{
+		logger.logFmt(mrpt::system::LVL_ERROR, "%s: damaged: %s; lost: %llu bytes, %zu objects", input.path.c_str(),
+		              input.damage.c_str(), static_cast<unsigned long long>(input.lost_bytes), input.lost_objects);
+		return kInputError;
+	}
+	if (summary.tally.frames > 0) return kDone;
+	logger.logFmt(mrpt::system::LVL_ERROR, "%s: holds no depth frame", input.path.c_str());
+	return kInputError;
+}
+
+void print(const std::string& text)
+{
+	OutputFile::standardOutput().write(text);
+}
+}  // namespace
+
+int run(const Options& options)
+{
+	catchSignals();
+	const LoadedConfig loaded = loadConfig(options);
+	if (options.dump_config)
+	{
+		print(dumpConfig(loaded.config));
+		return kDone;
+	}
+	ConsoleLogger logger(options);
+	const auto source = openSource(loaded, options, logger);
+	RunOutputs outputs(options, loaded.config);
+	Run run{options, loaded.config, *source, outputs, logger.status(), {}, {}};
+	const RunSummary summary = exploreAndSum(run);
+	const bool wants_summary = !options.quiet && !options.toStandardOutput();
+	if (wants_summary) print(summaryText(summary) + "  results in " + options.out + "\n");
+	return exitCode(summary, logger);
+}
+}  // namespace explore::app

@@ -1,0 +1,32 @@
+// All files of one run behind one face: a folder, or JSON lines on standard output alone.
+#pragma once
+
+#include <explore-mrpt/app_config.h>
+#include <explore/sinks/frame_picture.h>
+#include <explore/sinks/output_file.h>
+#include <explore/sinks/output_folder.h>
+#include <explore/sinks/summary.h>
+#include <explore/sinks/timing_csv.h>
+
+namespace explore::app
+{
+/** Every method throws OutputError when something cannot be written. */
+class RunOutputs
+{
+public:
+	/** Makes the folder ready, so that an unwritable one is noticed before any work. */
+	RunOutputs(const Options& options, const AppConfig& config);
+
+	void write(const DepthFrame& frame, const StepResult& result);
+	void writeTimes(std::size_t frame, const StageTimes& times_ms);
+	/** Closes the files and writes the summary, where there is a folder. */
+	void finish(const RunSummary& summary);
+
+private:
+	std::optional<OutputPaths> m_paths;
+	OutputFile m_frames;
+	std::optional<TimingCsv> m_timing;
+	std::optional<OutputFile> m_trajectory;
+	std::optional<FramePictures> m_pictures;
+};
+}  // namespace explore::app

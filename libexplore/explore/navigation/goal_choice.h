@@ -1,0 +1,34 @@
+// Which direction the robot wants (θ_d): the paper's nearest door, else vanishing point, else straight on.
+#pragma once
+
+#include <explore/config/fields.h>
+#include <explore/core/results.h>
+#include <explore/core/robot.h>
+
+namespace explore
+{
+enum class GoalPolicy
+{
+	paper
+};
+
+struct GoalConfig
+{
+	GoalPolicy policy = GoalPolicy::paper;
+};
+/** [goal] */
+void describe(FieldVisitor& fields, GoalConfig& config);
+
+struct GoalChoice
+{
+	Goal goal;                                  ///< door, corridor (the vanishing point) or none
+	std::optional<double> door_rad;             ///< θ_o: to the nearest door the robot fits through
+	std::optional<double> vanishing_point_rad;  ///< θ_v: of the vanishing point with the most inliers
+	double desired_rad = 0;                     ///< θ_d
+};
+
+/** The paper's policy: θ_d = θ_o where a door was found, else θ_v, else 0 (straight on). A door counts when a robot can
+ *  go through now (open, ajar, passage), is wide enough (diameter + 0.10 m) and, where its height is known, high
+ *  enough; nearest = by the horizontal distance of its centre. Azimuths are about the floor's normal. */
+GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot, const GoalConfig& config);
+}  // namespace explore

@@ -1,0 +1,35 @@
+// [perception]: the parameters of all perception stages; defaults are the paper's.
+#pragma once
+
+#include <explore/perception/door_gaps.h>
+#include <explore/perception/ground.h>
+#include <explore/perception/near_field.h>
+#include <explore/perception/planes.h>
+#include <explore/perception/range_filter.h>
+#include <explore/perception/vanishing_point.h>
+#include <explore/perception/voxel_grid.h>
+#include <explore/perception/walls.h>
+
+namespace explore
+{
+enum class PerceptionMethod
+{
+	paper
+};
+
+struct PerceptionConfig
+{
+	PerceptionMethod method = PerceptionMethod::paper;
+	int seed = 1;  ///< of every random choice
+	RangeFilterConfig range_filter;
+	VoxelGridConfig voxel_grid;
+	PlaneSearchConfig planes;
+	GroundConfig ground;
+	WallConfig walls;
+	DoorGapConfig door_gaps;
+	VanishingPointConfig vanishing_points;
+	NearFieldConfig near_field;
+};
+/** [perception] */
+void describe(FieldVisitor& fields, PerceptionConfig& config);
+}  // namespace explore

@@ -1,0 +1,3 @@
+explore_layer(pipeline
+  SOURCES explorer_config.cpp explorer.cpp
+  LINKS explore::navigation)

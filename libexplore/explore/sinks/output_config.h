@@ -1,0 +1,16 @@
+// [output]: which files a run leaves.
+#pragma once
+
+#include <explore/config/fields.h>
+
+namespace explore
+{
+struct OutputConfig
+{
+	bool timing = true;      ///< timing.csv
+	bool trajectory = true;  ///< trajectory.tum
+	int pictures_every = 0;  ///< a PNG of every n-th frame; 0 = none
+};
+/** [output] */
+void describe(FieldVisitor& fields, OutputConfig& config);
+}  // namespace explore

@@ -1,0 +1,70 @@
+#include <explore/core/errors.h>
+#include <explore/sinks/output_folder.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <vector>
+
+namespace explore
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const char* action, const std::error_code& error)
+{
+	throw OutputError(path.string() + ": cannot " + action + ": " + error.message());
+}
+
+void removeFile(const fs::path& path)
+{
+	std::error_code error;
+	fs::remove(path, error);
+	if (error) fail(path, "remove the file of an earlier run", error);
+}
+
+/** NNNNNN.png, or more digits. */
+bool isPictureOfOurs(const fs::path& path)
+{
+	const std::string stem = path.stem().string();
+	return path.extension() == ".png" && stem.size() >= 6 &&
+	       std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+void removePictures(const fs::path& folder)
+{
+	if (!fs::is_directory(folder)) return;
+	std::vector<fs::path> ours;
+	for (const auto& entry : fs::directory_iterator(folder))
+		if (isPictureOfOurs(entry.path())) ours.push_back(entry.path());
+	for (const auto& path : ours) removeFile(path);
+	std::error_code ignored;
+	fs::remove(folder, ignored);  // stays where it holds files of others
+}
+}  // namespace
+
+OutputPaths outputPaths(const fs::path& folder)
+{
+	return {folder,
+	        folder / "frames.jsonl",
+	        folder / "timing.csv",
+	        folder / "summary.json",
+	        folder / "trajectory.tum",
+	        folder / "pictures"};
+}
+
+OutputPaths prepareOutputFolder(const fs::path& folder)
+{
+	std::error_code error;
+	if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+		throw OutputError(folder.string() + ": is not a folder; --out takes the name of a folder, new or existing");
+	fs::create_directories(folder, error);
+	if (error) fail(folder, "create the output folder", error);
+
+	OutputPaths paths = outputPaths(folder);
+	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.summary, &paths.trajectory}) removeFile(*file);
+	removePictures(paths.pictures);
+	return paths;
+}
+}  // namespace explore

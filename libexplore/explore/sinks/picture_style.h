@@ -1,0 +1,38 @@
+// Colours and measures that both halves of a frame picture share.
+#pragma once
+
+#include <explore/core/depth_frame.h>
+#include <explore/core/robot.h>
+#include <explore/pipeline/explorer.h>
+#include <explore/sinks/canvas.h>
+
+namespace explore
+{
+/** What the pictures need to know besides the frame and its results. */
+struct PictureConfig
+{
+	double max_range_m = 5.0;  ///< the plan view reaches this far; depth colours end here
+	RobotConfig robot;
+};
+
+namespace style
+{
+using mrpt::img::TColor;
+inline const TColor kPaper(18, 21, 28), kPanel(27, 31, 41), kGrid(52, 59, 74), kText(214, 219, 229),
+    kFaint(128, 137, 154);
+inline const TColor kDoor(240, 84, 70), kDoorHeading(255, 209, 71), kVanishingPoint(255, 122, 198),
+    kDesired(240, 240, 245), kChosen(74, 222, 128), kWall(86, 190, 255), kRobot(214, 219, 229);
+
+/** Near is pale, far is deep blue: lightness falls evenly with `share` (0–1). */
+TColor depthColor(double share);
+}  // namespace style
+
+/** A point on the floor (where it was found; else at z = 0), `distance_m` away along `heading_rad`, robot frame. */
+Eigen::Vector3d floorPoint(const std::optional<Ground>& ground, double heading_rad, double distance_m);
+
+/** The four corners of an opening in the robot frame: floor, floor, lintel, lintel (2 m high where unknown). */
+std::array<Eigen::Vector3d, 4> doorCorners(const Door& door, const std::optional<Ground>& ground);
+
+/** "door 0.92 m", with the verdict where it is not `open`. */
+std::string doorLabel(const Door& door);
+}  // namespace explore

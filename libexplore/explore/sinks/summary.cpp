@@ -1,0 +1,121 @@
+#include <explore/sinks/json_values.h>
+#include <explore/sinks/summary.h>
+#include <mrpt/core/format.h>
+
+namespace explore
+{
+namespace
+{
+constexpr int kSchema = 1;
+
+Json sourceJson(const InputSummary& input, std::size_t frames)
+{
+	return {{"kind", input.kind},
+	        {"path", input.path},
+	        {"frames", frames},
+	        {"lost_bytes", input.lost_bytes},
+	        {"lost_objects", input.lost_objects},
+	        {"skipped_frames", input.skipped_frames},
+	        {"damage", jsonOrNull(input.damage)},
+	        {"sensor", jsonOrNull(input.sensor)},
+	        {"sensors_found", input.sensors_found},
+	        {"pose_from", nameOf(input.pose_origin)},
+	        {"identity_mount", input.identity_mount}};
+}
+
+Json explorationJson(const RunSummary& summary)
+{
+	return {{"complete", false},
+	        {"reason", summary.reason},
+	        {"known_free_m2", nullptr},
+	        {"path_m", jsonOrNull(summary.tally.path_m())},
+	        {"time_s", jsonOrNull(summary.tally.time_s())},
+	        {"home_error_m", nullptr},
+	        {"left_over", Json::array()}};
+}
+
+Json timingJson(const std::map<std::string, StageStatistics>& timing)
+{
+	Json result = Json::object();
+	for (const auto& [stage, statistics] : timing)
+		result[stage] = {{"median", jsonNumber(statistics.median_ms)}, {"p99", jsonNumber(statistics.p99_ms)}};
+	return result;
+}
+
+std::string pathText(const RunTally& tally)
+{
+	const double time_s = tally.time_s().value_or(0.0);
+	if (!tally.path_m()) return mrpt::format("%.1f s, no pose in the input", time_s);
+	return mrpt::format("%.1f m in %.1f s", *tally.path_m(), time_s);
+}
+
+std::string lossText(const InputSummary& input)
+{
+	std::string text;
+	if (input.skipped_frames > 0) text += mrpt::format("  unusable frames: %zu\n", input.skipped_frames);
+	if (!input.damage.empty())
+		text += mrpt::format("  DAMAGED: %s (lost: %llu bytes, %zu objects)\n", input.damage.c_str(),
+		                     static_cast<unsigned long long>(input.lost_bytes), input.lost_objects);
+	return text;
+}
+}  // namespace
+
+void RunTally::add(const DepthFrame& frame, const StepResult& result)
+{
+	++frames;
+	if (result.percepts.ground && result.percepts.ground->seen) ++frames_with_ground;
+	if (!result.percepts.doors.empty()) ++frames_with_door;
+	if (result.decision.stop) ++frames_stopped;
+	doors_in_view = result.percepts.doors.size();
+
+	if (!m_first) m_first = frame.timestamp;
+	m_last = frame.timestamp;
+	if (frame.pose_origin == PoseOrigin::none) return;
+	const auto& pose = frame.map_from_robot;
+	const Eigen::Vector3d position_in_map(pose.x(), pose.y(), pose.z());
+	if (m_position_in_map)
+		*m_path_m += (position_in_map - *m_position_in_map).norm();
+	else
+		m_path_m = 0.0;
+	m_position_in_map = position_in_map;
+}
+
+std::optional<double> RunTally::time_s() const
+{
+	if (!m_first) return std::nullopt;
+	return mrpt::Clock::toDouble(*m_last) - mrpt::Clock::toDouble(*m_first);
+}
+
+std::string summaryJson(const RunSummary& summary)
+{
+	const RunTally& tally = summary.tally;
+	const Json document{
+	    {"schema", kSchema},
+	    {"version", summary.version},
+	    {"config", jsonOrNull(summary.config)},
+	    {"source", sourceJson(summary.input, tally.frames)},
+	    {"frames_with_ground", tally.frames_with_ground},
+	    {"frames_with_door", tally.frames_with_door},
+	    {"frames_stopped", tally.frames_stopped},
+	    {"doors", Json::array()},
+	    {"corridors", Json::array()},
+	    {"exploration", explorationJson(summary)},
+	    {"timing_ms", timingJson(summary.timing)},
+	    {"peak_rss_mb", jsonNumber(summary.peak_rss_mb)},
+	};
+	return jsonText(document, 2) + '\n';
+}
+
+std::string summaryText(const RunSummary& summary)
+{
+	const RunTally& tally = summary.tally;
+	std::string text = mrpt::format("%zu frames of %s (sensor \"%s\"): %s\n", tally.frames, summary.input.path.c_str(),
+	                                summary.input.sensor.c_str(), summary.reason.c_str());
+	text += mrpt::format("  floor in %zu, doors in %zu, stop in %zu frames; %s\n", tally.frames_with_ground,
+	                     tally.frames_with_door, tally.frames_stopped, pathText(tally).c_str());
+	if (const auto total = summary.timing.find(std::string(kTotalStage)); total != summary.timing.end())
+		text += mrpt::format("  %.1f ms a frame (median; p99 %.1f), %.0f MB\n", total->second.median_ms,
+		                     total->second.p99_ms, summary.peak_rss_mb);
+	return text + lossText(summary.input);
+}
+}  // namespace explore

@@ -1,0 +1,18 @@
+// Range images and point clouds that a rawlog keeps in files of their own.
+#pragma once
+
+#include <mrpt/obs/CObservation.h>
+
+#include <filesystem>
+#include <string>
+
+namespace explore
+{
+/** The folder with the external files of `rawlog`: `configured` where given, else <name>_Images beside the log (as
+ *  rawlog-grabber and rawlog-edit name it), else <name>_images or Images, else the log's own folder. */
+std::filesystem::path imagesFolderOf(const std::filesystem::path& rawlog, const std::string& configured);
+
+/** Loads what `observation` stores externally, relative names from `folder`. Throws UnusableFrame that names the file
+ *  when it is missing or damaged. */
+void loadExternalFiles(const mrpt::obs::CObservation& observation, const std::filesystem::path& folder);
+}  // namespace explore

@@ -1,0 +1,58 @@
+// [source] and [camera]: where frames come from and what is corrected before anything looks at them.
+#pragma once
+
+#include <explore/config/fields.h>
+#include <explore/config/sensor_poses.h>
+
+#include <string>
+
+namespace explore
+{
+enum class SourceKind
+{
+	rawlog
+};
+
+/** Which recorded poses become map_from_robot. */
+enum class PosePolicy
+{
+	automatic,  ///< the best kind found: robot_pose, then odometry, then action
+	robot_pose,
+	odometry,
+	action,
+	none
+};
+
+/** Where robot_from_camera comes from. */
+enum class MountPolicy
+{
+	log,      ///< the observation's sensorPose (or --sensors-pose)
+	ini,      ///< pose_x … pose_roll below
+	estimate  ///< height, pitch and roll from the floor in the first frames
+};
+
+struct CameraConfig
+{
+	MountPolicy mount = MountPolicy::log;
+	double x_m = 0, y_m = 0, z_m = 0.5, yaw_rad = 0, pitch_rad = 0, roll_rad = 0;
+	double depth_scale = 1.0;  ///< true depth / measured depth
+	double depth_offset_m = 0.0;
+	double depth_quadratic_per_m = 0.0;  ///< z' = offset + scale·z + quadratic·z²
+	std::string self_mask;               ///< image file; non-black pixels see the robot itself
+};
+
+struct SourceConfig
+{
+	SourceKind kind = SourceKind::rawlog;
+	std::string rawlog;         ///< path
+	std::string images_folder;  ///< of externally stored images; empty = found beside the rawlog
+	std::string sensor_label;   ///< empty = the first depth sensor in the log
+	PosePolicy pose = PosePolicy::automatic;
+	bool gravity_from_imu = true;
+	CameraConfig camera;
+	SensorPoses sensor_poses;  ///< from --sensors-pose, not from the ini
+};
+
+/** [source] and [camera] */
+void describe(FieldVisitor& fields, SourceConfig& config);
+}  // namespace explore
