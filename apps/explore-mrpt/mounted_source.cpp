@@ -26,9 +26,9 @@ double yawOf(const mrpt::poses::CPose3D& robot_from_camera)
 }
 }  // namespace
 
-MountedSource::MountedSource(std::unique_ptr<FrameSource> source, MountPolicy policy, PerceptionConfig perception,
-                             mrpt::system::COutputLogger& logger)
-    : m_source(std::move(source)), m_policy(policy), m_perception(std::move(perception)), m_logger(logger)
+MountedSource::MountedSource(std::unique_ptr<FrameSource> source, MountPolicy policy,
+                             const PerceptionConfig& perception, mrpt::system::COutputLogger& logger)
+    : m_source(std::move(source)), m_policy(policy), m_perception(perception), m_logger(logger)
 {
 	lookAtFirstFrames();
 }

@@ -14,7 +14,7 @@ class MountedSource : public FrameSource
 public:
 	/** Reads the first frames, so that an input without any is noticed here. `logger` outlives the source. Throws as
 	 *  FrameSource::next(). */
-	MountedSource(std::unique_ptr<FrameSource> source, MountPolicy policy, PerceptionConfig perception,
+	MountedSource(std::unique_ptr<FrameSource> source, MountPolicy policy, const PerceptionConfig& perception,
 	              mrpt::system::COutputLogger& logger);
 
 	std::optional<DepthFrame> next() override;

@@ -90,7 +90,7 @@ TEST(AppConfig, SensorPosesComeFromAGrabberFile)
 
 TEST(AppConfig, MistakesOnTheCommandLineAreNamed)
 {
-	const auto messageFor = [](const std::string& set)
+	const auto message_for = [](const std::string& set)
 	{
 		Options options;
 		options.set = {set};
@@ -104,9 +104,9 @@ TEST(AppConfig, MistakesOnTheCommandLineAreNamed)
 		}
 		return std::string("accepted");
 	};
-	EXPECT_THAT(messageFor("robot.radios=1"), AllOf(HasSubstr("robot.radios"), HasSubstr("radius")));
-	EXPECT_THAT(messageFor("robot.radius=wide"), HasSubstr("wide"));
-	EXPECT_THAT(messageFor("robot.radius"), HasSubstr("robot.radius"));
+	EXPECT_THAT(message_for("robot.radios=1"), AllOf(HasSubstr("robot.radios"), HasSubstr("radius")));
+	EXPECT_THAT(message_for("robot.radius=wide"), HasSubstr("wide"));
+	EXPECT_THAT(message_for("robot.radius"), HasSubstr("robot.radius"));
 }
 
 TEST(AppConfig, DumpLoadsBackToTheSameDump)

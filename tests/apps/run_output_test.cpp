@@ -62,7 +62,7 @@ TEST(RunOutput, FullDiskLeavesWholeLines)
 	const auto lines = linesOf(frames);
 	EXPECT_GE(lines.size(), 1U);
 	EXPECT_LT(lines.size(), 12U);
-	for (const auto& line : lines) EXPECT_NO_THROW(json::parse(line));
+	for (const auto& line : lines) EXPECT_TRUE(json::accept(line));
 	const json summary = json::parse(readFile(testFolder() / "o" / "summary.json"));
 	EXPECT_THAT(summary["exploration"]["reason"].get<std::string>(), HasSubstr("frames.jsonl"));
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "every_kind.h"
+#include "support/test_files.h"
 
 namespace explore
 {
@@ -18,12 +19,7 @@ using testing::HasSubstr;
 class IniFile : public testing::Test
 {
 protected:
-	void SetUp() override
-	{
-		fs::remove_all(m_folder);
-		fs::create_directories(m_folder / "inis");
-	}
-	void TearDown() override { fs::remove_all(m_folder); }
+	void SetUp() override { fs::create_directories(m_folder / "inis"); }
 
 	fs::path write(const std::string& name, const std::string& text) const
 	{
@@ -44,7 +40,7 @@ protected:
 		}
 	}
 
-	fs::path m_folder = fs::path(testing::TempDir()) / "explore_ini_file_test";
+	fs::path m_folder = test::freshFolder();
 };
 
 TEST_F(IniFile, loadsFromDiskAndNamesTheFile)

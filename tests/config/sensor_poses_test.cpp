@@ -8,6 +8,8 @@
 #include <fstream>
 #include <numbers>
 
+#include "support/test_files.h"
+
 namespace explore
 {
 namespace
@@ -20,7 +22,6 @@ constexpr double kPi = std::numbers::pi;
 class SensorPosesFile : public testing::Test
 {
 protected:
-	void TearDown() override { std::filesystem::remove(m_path); }
 	SensorPoses load(const std::string& text)
 	{
 		std::ofstream(m_path, std::ios::binary) << text;
@@ -39,7 +40,7 @@ protected:
 		}
 	}
 
-	std::filesystem::path m_path = std::filesystem::path(testing::TempDir()) / "explore_grabber.ini";
+	std::filesystem::path m_path = test::freshFolder() / "explore_grabber.ini";
 };
 
 void expectPose(const mrpt::poses::CPose3D& pose, const std::array<double, 6>& expected)

@@ -158,6 +158,25 @@ TEST(Perceive, SameSeedSameResultOtherSeedSameDoor)
 	}
 }
 
+TEST(FilteredVoxels, EqualsTheTwoStagesOneAfterTheOther)
+{
+	std::mt19937 random(51);
+	for (int run = 0; run < 10; ++run)
+	{
+		const CPose3D mount(test::uniform(random, -1, 1), 0.2, 0.7, test::uniform(random, -3, 3),
+		                    test::uniform(random, -1, 1), test::uniform(random, -3, 3));
+		DepthFrame frame = test::renderFrame(frontalDoor(1.0), {}, kMount, test::xtionIntrinsics(160, 120),
+		                                     {.axial_scale = 1.0, .dropout_share = 0.05});
+		frame.robot_from_camera = mount;
+		const PointCloud fused = filteredVoxels(frame, {}, {});
+		const PointCloud staged = voxelGrid(rangeFilter(frame, {}), {});
+		ASSERT_GT(staged.size(), 1000U);
+		EXPECT_EQ(fused.x, staged.x);
+		EXPECT_EQ(fused.y, staged.y);
+		EXPECT_EQ(fused.z, staged.z);
+	}
+}
+
 TEST(Perceive, DarkFrameFindsNothing)
 {
 	DepthFrame frame;

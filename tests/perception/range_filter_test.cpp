@@ -47,6 +47,10 @@ TEST(RangeFilter, EqualsPixelByPixelReference)
 		const PointCloud fast = rangeFilter(frame, {5.0});
 		const PointCloud slow = slowReference(frame, 5.0);
 		ASSERT_EQ(fast.size(), slow.size());
+		Eigen::AlignedBox3f reach = reachOf(frame, {5.0});
+		reach.extend(reach.max() + Eigen::Vector3f::Constant(1e-4F))
+		    .extend(reach.min() - Eigen::Vector3f::Constant(1e-4F));
+		for (std::size_t i = 0; i < fast.size(); ++i) ASSERT_TRUE(reach.contains(fast[i])) << "point " << i;
 		for (std::size_t i = 0; i < fast.size(); ++i) ASSERT_LT((fast[i] - slow[i]).norm(), 1e-4F) << "point " << i;
 	}
 }

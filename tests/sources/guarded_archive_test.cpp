@@ -4,12 +4,16 @@
 #include <mrpt/maps/CColouredPointsMap.h>
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPosePDFGaussian.h>
 
 #include <cstring>
 
@@ -132,6 +136,7 @@ TEST(GuardedArchive, RefusesAbsurdSizes)
 	auto laser = mrpt::obs::CObservation2DRangeScan::Create();
 	laser->resizeScanAndAssign(361, 5.0F, true);
 	EXPECT_THAT(damageOf(laser, littleEndian({361}), littleEndian({kHuge})), testing::HasSubstr("more memory"));
+	EXPECT_THAT(damageOf(points, littleEndian({20, 10}), littleEndian({kHuge, 10})), testing::HasSubstr("more memory"));
 	auto velodyne = mrpt::obs::CObservationVelodyneScan::Create();
 	velodyne->scan_packets.resize(77);
 	EXPECT_THAT(damageOf(velodyne, littleEndian({77}), littleEndian({kHuge})), testing::HasSubstr("more memory"));
@@ -148,6 +153,37 @@ TEST(GuardedArchive, RefusesFlagsThatAreNeitherTrueNorFalse)
 		const std::string spoilt = {static_cast<char>(flag), '\0'};
 		EXPECT_NE(damageOf(scan, flags + header + camera, spoilt + header + camera), "none") << int{flag};
 	}
+}
+
+TEST(GuardedArchive, RefusesSpoiltFlagsOfAnImu)
+{
+	auto imu = mrpt::obs::CObservationIMU::Create();
+	for (const auto index : {mrpt::obs::IMU_X_ACC, mrpt::obs::IMU_Y_ACC, mrpt::obs::IMU_Z_ACC}) imu->set(index, 9.8);
+	const std::string flags = std::string(3, '\1') + std::string(mrpt::obs::COUNT_IMU_DATA_FIELDS - 3, '\0');
+	std::string spoilt = flags;
+	spoilt[1] = '\x9';
+	EXPECT_THAT(damageOf(imu, flags, spoilt), testing::HasSubstr("flags"));
+	EXPECT_EQ(damageOf(imu, flags, flags), "none");
+}
+
+TEST(GuardedArchive, RefusesAMovementWhoseDensityIsNone)
+{
+	mrpt::obs::CActionRobotMovement2D movement;
+	movement.computeFromOdometry(mrpt::poses::CPose2D(0.1, 0, 0), {});
+	auto action = mrpt::obs::CActionCollection::Create();
+	action->insert(movement);
+	writeRawlog(testFolder() / "action.rawlog", {action}, Packing::plain);
+	const std::string name = "CActionRobotMovement2D", bytes = readBytes(testFolder() / "action.rawlog");
+	const std::string head = bytes.substr(bytes.find(name), name.size() + 1);  // and the version
+	EXPECT_THAT(damageOf(action, head + littleEndian({0}), head + littleEndian({1})),
+	            testing::HasSubstr("probability density"));
+
+	movement.estimationMethod = mrpt::obs::CActionRobotMovement2D::emScan2DMatching;
+	movement.poseChange = mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(1, 2, 0.3));
+	auto matched = mrpt::obs::CActionCollection::Create();
+	matched->insert(movement);
+	writeRawlog(testFolder() / "matched.rawlog", {scanOf(sceneFrame(), 0), matched, scanOf(sceneFrame(), 1)});
+	EXPECT_FALSE(describeRawlog(testFolder() / "matched.rawlog").damage);
 }
 }  // namespace
 }  // namespace explore::test

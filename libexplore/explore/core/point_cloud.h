@@ -35,4 +35,17 @@ struct PointCloud
 		z.resize(n);
 	}
 };
+
+/** Some points on their way from one stage to the next, owned by whoever hands them over. */
+struct PointBlock
+{
+	const float *x, *y, *z;
+	std::size_t count;
+};
+
+/** All points of a cloud, which must outlive the block. */
+inline PointBlock blockOf(const PointCloud& points)
+{
+	return {points.x.data(), points.y.data(), points.z.data(), points.size()};
+}
 }  // namespace explore

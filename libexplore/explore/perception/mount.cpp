@@ -24,7 +24,7 @@ double degrees(double rad)
 std::optional<Plane> floorInCamera(DepthFrame frame, const PerceptionConfig& config)
 {
 	frame.robot_from_camera = mrpt::poses::CPose3D::Identity();
-	const PointCloud points_in_camera = voxelGrid(rangeFilter(frame, config.range_filter), config.voxel_grid);
+	const PointCloud points_in_camera = filteredVoxels(frame, config.range_filter, config.voxel_grid);
 	RandomEngine random(static_cast<RandomEngine::result_type>(config.seed));
 	const auto floor = findGround(points_in_camera, {}, {kWidestTilt_rad}, config.planes, random);
 	return floor ? std::optional(floor->plane) : std::nullopt;

@@ -1,64 +1,78 @@
 #include <explore/perception/near_field.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace explore
 {
 namespace
 {
-constexpr int kSampledColumns = 160;  // of the image: strips are far coarser than that
-constexpr double kFloorClearance_m = 0.1;
+constexpr std::size_t kSampledColumns = 80;  // of the image: strips are far coarser than that
+constexpr float kFloorClearance_m = 0.1F;
 constexpr double kNearestShare = 0.01;  // of a strip's pixels: fewer are noise
 constexpr std::size_t kMinPixels = 4;
 
-/** Heights above `ground` of the points along the pixel rays: height = offset + depth · (forward + u-part + v-part). */
-class HeightOfPixel
+/** Height above the ground per metre of depth: the sum of a part of the row and a part of the column. */
+struct HeightPerDepth
 {
-public:
-	HeightOfPixel(const DepthFrame& frame, const Plane& ground) : m_intrinsics(frame.image.intrinsics)
-	{
-		const Eigen::Isometry3d robot_from_camera = isometryOf(frame.robot_from_camera);
-		m_normal_in_camera = robot_from_camera.linear().transpose() * ground.normal;
-		m_offset = ground.signedDistance(robot_from_camera.translation());
-	}
-	[[nodiscard]] double operator()(int u, int v, double depth_m) const
-	{
-		return m_offset + depth_m * m_normal_in_camera.dot(rayOfPixel(m_intrinsics, u, v));
-	}
+	float offset = 0;
+	std::vector<float> of_row, of_column;
 
-private:
-	CameraIntrinsics m_intrinsics;
-	Eigen::Vector3d m_normal_in_camera;
-	double m_offset;
+	/** Without a ground everything counts as standing. */
+	HeightPerDepth(const DepthFrame& frame, const std::optional<Plane>& ground)
+	    : offset(ground ? 0.0F : std::numeric_limits<float>::infinity()),
+	      of_row(static_cast<std::size_t>(frame.image.intrinsics.height_px)),
+	      of_column(static_cast<std::size_t>(frame.image.intrinsics.width_px))
+	{
+		if (!ground) return;
+		const CameraIntrinsics& camera = frame.image.intrinsics;
+		const Eigen::Isometry3d robot_from_camera = isometryOf(frame.robot_from_camera);
+		const Eigen::Vector3d up_in_camera = robot_from_camera.linear().transpose() * ground->normal;
+		offset = static_cast<float>(ground->signedDistance(robot_from_camera.translation()));
+		const double on_axis = up_in_camera.dot(rayOfPixel(camera, camera.cx_px, camera.cy_px));
+		for (int v = 0; v < camera.height_px; ++v)
+			of_row[static_cast<std::size_t>(v)] =
+			    static_cast<float>(up_in_camera.dot(rayOfPixel(camera, camera.cx_px, v)));
+		for (int u = 0; u < camera.width_px; ++u)
+			of_column[static_cast<std::size_t>(u)] =
+			    static_cast<float>(up_in_camera.dot(rayOfPixel(camera, u, camera.cy_px)) - on_axis);
+	}
 };
 
-NearField::Sector sectorOf(const DepthFrame& frame, const std::optional<HeightOfPixel>& height, int u_begin, int u_end)
+/** The samples of one strip. */
+struct Strip
 {
-	const int pixel_step = std::max(1, frame.image.intrinsics.width_px / kSampledColumns);
-	const DepthImage& image = frame.image;
-	std::vector<float> standing;
+	std::vector<float> standing_depth_m;
 	std::size_t seen = 0, missing = 0;
-	for (int v = 0; v < image.intrinsics.height_px; v += pixel_step)
-		for (int u = u_begin; u < u_end; u += pixel_step)
-		{
-			const float depth_m = image.at(u, v);
-			++seen;
-			if (depth_m <= 0.0F)
-				++missing;
-			else if (!height || (*height)(u, v, depth_m) > kFloorClearance_m)
-				standing.push_back(depth_m);
-		}
-	NearField::Sector sector;
-	sector.no_return_share = seen == 0 ? 1.0F : static_cast<float>(missing) / static_cast<float>(seen);
-	const auto rank = std::max(kMinPixels, static_cast<std::size_t>(kNearestShare * static_cast<double>(seen)));
-	if (standing.size() > rank)
+
+	void add(float depth_m, float height_m)
 	{
-		const auto nth = standing.begin() + static_cast<std::ptrdiff_t>(rank);
-		std::nth_element(standing.begin(), nth, standing.end());
-		sector.nearest_m = *nth;
+		++seen;
+		if (depth_m <= 0.0F)
+			++missing;
+		else if (height_m > kFloorClearance_m)
+			standing_depth_m.push_back(depth_m);
 	}
-	return sector;
+	[[nodiscard]] NearField::Sector sector()
+	{
+		NearField::Sector sector;
+		sector.no_return_share = seen == 0 ? 1.0F : static_cast<float>(missing) / static_cast<float>(seen);
+		const auto rank = std::max(kMinPixels, static_cast<std::size_t>(kNearestShare * static_cast<double>(seen)));
+		if (standing_depth_m.size() <= rank) return sector;
+		const auto nth = standing_depth_m.begin() + static_cast<std::ptrdiff_t>(rank);
+		std::ranges::nth_element(standing_depth_m, nth);
+		sector.nearest_m = *nth;
+		return sector;
+	}
+};
+
+std::size_t countValid(const std::vector<float>& depth_m)
+{
+	int valid = 0;
+	for (const float depth : depth_m) valid += static_cast<int>(depth > 0.0F);
+	return static_cast<std::size_t>(valid);
 }
 }  // namespace
 
@@ -77,18 +91,20 @@ NearField nearField(const DepthFrame& frame, const std::optional<Plane>& ground)
 		return result;
 	}
 	result.organised = true;
-	result.valid_pixels = static_cast<std::size_t>(
-	    std::ranges::count_if(frame.image.depth_m, [](float depth_m) { return depth_m > 0.0F; }));
+	result.valid_pixels = countValid(frame.image.depth_m);
 
-	std::optional<HeightOfPixel> height;
-	if (ground) height.emplace(frame, *ground);
-	const int width = frame.image.intrinsics.width_px;
-	for (std::size_t i = 0; i < NearField::kSectors; ++i)
-	{
-		const int begin = width * static_cast<int>(i) / static_cast<int>(NearField::kSectors);
-		const int end = width * static_cast<int>(i + 1) / static_cast<int>(NearField::kSectors);
-		result.sectors[i] = sectorOf(frame, height, begin, end);
-	}
+	const HeightPerDepth height(frame, ground);
+	const std::size_t width = height.of_column.size();
+	const std::size_t step = std::max(std::size_t{1}, width / kSampledColumns);
+	std::array<Strip, NearField::kSectors> strips;
+	for (std::size_t v = 0; v < height.of_row.size(); v += step)
+		for (std::size_t u = 0; u < width; u += step)
+		{
+			const float depth_m = frame.image.depth_m[v * width + u];
+			const float height_m = height.offset + depth_m * (height.of_row[v] + height.of_column[u]);
+			strips[u * NearField::kSectors / width].add(depth_m, height_m);
+		}
+	std::ranges::transform(strips, result.sectors.begin(), &Strip::sector);
 	return result;
 }
 }  // namespace explore

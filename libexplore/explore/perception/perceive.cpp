@@ -45,6 +45,14 @@ void describe(FieldVisitor& fields, PerceptionConfig& config)
 	describe(fields, config.vanishing_points);
 }
 
+PointCloud filteredVoxels(const DepthFrame& frame, const RangeFilterConfig& range_filter,
+                          const VoxelGridConfig& voxel_grid)
+{
+	VoxelGrid grid(reachOf(frame, range_filter), voxel_grid);
+	rangeFilter(frame, range_filter, [&](const PointBlock& points_in_robot) { grid.add(points_in_robot); });
+	return grid.centroids();
+}
+
 Percepts perceive(const DepthFrame& frame, const PerceptionConfig& config)
 {
 	RandomEngine random(static_cast<RandomEngine::result_type>(config.seed));
@@ -52,7 +60,7 @@ Percepts perceive(const DepthFrame& frame, const PerceptionConfig& config)
 	const Eigen::Vector3d up = frame.up_in_robot.value_or(Eigen::Vector3d::UnitZ());
 
 	Percepts percepts;
-	const PointCloud filtered = voxelGrid(rangeFilter(frame, config.range_filter), config.voxel_grid);  // P_f
+	const PointCloud filtered = filteredVoxels(frame, config.range_filter, config.voxel_grid);  // P_f
 	const auto ground = findGround(filtered, {up, camera_in_robot}, config.ground, config.planes, random);
 	percepts.obstacles_in_robot = obstaclePoints(filtered, ground);
 	if (ground)

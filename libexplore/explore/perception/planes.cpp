@@ -11,7 +11,7 @@ namespace
 constexpr std::size_t kScoringPoints = 2048;  // hypotheses are compared on a sample of this size
 constexpr double kMissProbability = 0.01;     // of stopping before a better plane was drawn
 constexpr int kAttemptsPerHypothesis = 20;    // with a cone most random triples are refused before they cost anything
-constexpr int kRefinements = 4;
+constexpr int kSampleRefits = 2;
 
 struct PlaneF
 {
@@ -29,15 +29,11 @@ struct PlaneF
 	}
 };
 
-/** Number of points with low ≤ signed distance ≤ high. */
-int countBetween(const PointCloud& points, const PlaneF& plane, float low, float high)
+int countWithin(const PointCloud& points, const PlaneF& plane, float tolerance_m)
 {
 	int count = 0;
 	for (std::size_t i = 0; i < points.size(); ++i)
-	{
-		const float distance = plane.distance(points, i);
-		count += static_cast<int>(distance >= low) & static_cast<int>(distance <= high);
-	}
+		count += static_cast<int>(std::abs(plane.distance(points, i)) <= tolerance_m);
 	return count;
 }
 
@@ -79,8 +75,7 @@ int score(const PointCloud& points, const Plane& plane, const PlaneSearchConfig&
           const std::optional<NormalCone>& cone)
 {
 	if (cone) return contrast(points, plane, config.tolerance_m);
-	const auto tolerance = static_cast<float>(config.tolerance_m);
-	return countBetween(points, PlaneF(plane), -tolerance, tolerance);
+	return countWithin(points, PlaneF(plane), static_cast<float>(config.tolerance_m));
 }
 
 /** Draws after which a plane that holds `share` of the points was drawn with probability 1 − kMissProbability. */
@@ -90,10 +85,9 @@ double drawsNeeded(double share)
 	return std::log(kMissProbability) / std::log(1.0 - all_three);
 }
 
-std::optional<Plane> bestHypothesis(const PointCloud& points, const PlaneSearchConfig& config, RandomEngine& random,
-                                    const std::optional<NormalCone>& cone)
+std::optional<Plane> bestHypothesis(const PointCloud& points, const PointCloud& sample, const PlaneSearchConfig& config,
+                                    RandomEngine& random, const std::optional<NormalCone>& cone)
 {
-	const PointCloud sample = scoringSample(points);
 	const int limit = config.max_iterations * (cone ? kAttemptsPerHypothesis : 1);
 	std::optional<Plane> best;
 	int best_score = 0;
@@ -111,18 +105,12 @@ std::optional<Plane> bestHypothesis(const PointCloud& points, const PlaneSearchC
 	return best;
 }
 
-/** Least squares on the points within half the tolerance, a few times over: what stands on the plane or beside it lies
- *  further out and would tilt a fit to all inliers. */
-FoundPlane refined(const PointCloud& points, const Plane& hypothesis, const PlaneSearchConfig& config)
+/** Least squares on the points within half the tolerance: what stands on the plane or beside it lies further out and
+ * would tilt a fit to all inliers. */
+Plane refitted(const PointCloud& points, const Plane& plane, double tolerance_m)
 {
-	Plane plane = hypothesis;
-	for (int i = 0; i < kRefinements; ++i)
-	{
-		const auto core = inliersOf(points, plane, 0.5 * config.tolerance_m);
-		if (core.size() < 3) break;
-		plane = fitPlane(points, core);
-	}
-	return {plane, inliersOf(points, plane, config.tolerance_m)};
+	const auto core = inliersOf(points, plane, 0.5 * tolerance_m);
+	return core.size() < 3 ? plane : fitPlane(points, core);
 }
 }  // namespace
 
@@ -142,9 +130,13 @@ std::optional<FoundPlane> dominantPlane(const PointCloud& points, const PlaneSea
 {
 	const auto enough = static_cast<std::size_t>(config.min_inliers);
 	if (points.size() < enough) return std::nullopt;
-	const auto hypothesis = bestHypothesis(points, config, random, cone);
-	if (!hypothesis) return std::nullopt;
-	FoundPlane found = refined(points, *hypothesis, config);
+	const PointCloud sample = scoringSample(points);
+	auto plane = bestHypothesis(points, sample, config, random, cone);
+	if (!plane) return std::nullopt;
+	// The sample leads close to the optimum, all points give it its precision.
+	for (int i = 0; i < kSampleRefits; ++i) *plane = refitted(sample, *plane, config.tolerance_m);
+	*plane = refitted(points, *plane, config.tolerance_m);
+	FoundPlane found{*plane, inliersOf(points, *plane, config.tolerance_m)};
 	if (found.inliers.size() < enough) return std::nullopt;
 	return found;
 }
@@ -163,10 +155,16 @@ int contrast(const PointCloud& points, const Plane& plane, double tolerance_m)
 {
 	const PlaneF plane_f(plane);
 	const auto tolerance = static_cast<float>(tolerance_m);
-	const float outside = std::nextafter(tolerance, 2 * tolerance);
-	const int above = countBetween(points, plane_f, outside, 3 * tolerance);
-	const int below = countBetween(points, plane_f, -3 * tolerance, -outside);
-	return countBetween(points, plane_f, -tolerance, tolerance) - std::max(above, below);
+	int inside = 0, above = 0, below = 0;
+	for (std::size_t i = 0; i < points.size();
+	     ++i)  // one pass without branches, because it is where RANSAC spends its time
+	{
+		const float distance = plane_f.distance(points, i);
+		inside += static_cast<int>(std::abs(distance) <= tolerance);
+		above += static_cast<int>(distance > tolerance) & static_cast<int>(distance <= 3 * tolerance);
+		below += static_cast<int>(distance < -tolerance) & static_cast<int>(distance >= -3 * tolerance);
+	}
+	return inside - std::max(above, below);
 }
 
 Plane fitPlane(const PointCloud& points, const std::vector<std::uint32_t>& indices)

@@ -3,6 +3,9 @@
 
 #include <explore/config/fields.h>
 #include <explore/core/depth_frame.h>
+#include <explore/core/geometry.h>
+
+#include <functional>
 
 namespace explore
 {
@@ -16,4 +19,11 @@ void describe(FieldVisitor& fields, RangeFilterConfig& config);
  * the optical axis for images (as the paper's filter along Z) and the distance from the sensor for unorganised clouds,
  * which may look all around. Near measurements stay: they are obstacles. */
 PointCloud rangeFilter(const DepthFrame& frame, const RangeFilterConfig& config);
+
+/** The same points piece by piece (image row by image row), for a taker that does not need them all at once. */
+void rangeFilter(const DepthFrame& frame, const RangeFilterConfig& config,
+                 const std::function<void(const PointBlock&)>& take);
+
+/** A box in the robot frame that holds whatever rangeFilter() can deliver. */
+Eigen::AlignedBox3f reachOf(const DepthFrame& frame, const RangeFilterConfig& config);
 }  // namespace explore

@@ -1,118 +1,16 @@
 #include <explore/perception/voxel_grid.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
-#include <vector>
 
 namespace explore
 {
 namespace
 {
-constexpr std::uint32_t kNoVoxel = ~std::uint32_t{0};
-constexpr double kMaxArrayCells = 1 << 24;  // 64 MB; a 10 m × 10 m × 3 m room at 5 cm has 2.4 million
-constexpr std::size_t kBlock = 256;
-
-/** Sum and number of the points in one voxel. */
-struct VoxelSum
-{
-	float x = 0, y = 0, z = 0;
-	std::uint32_t count = 0;
-};
-
-/** The cells of one axis that the cloud reaches. */
-struct AxisCells
-{
-	std::int32_t first = 0;
-	std::int64_t count = 0;
-	std::array<std::int32_t, kBlock> block{};  ///< cells of the points under work, counted from `first`
-
-	AxisCells(const std::vector<float>& values, float voxels_per_m)
-	{
-		if (values.empty()) return;
-		const Eigen::Map<const Eigen::ArrayXf> array(values.data(), static_cast<Eigen::Index>(values.size()));
-		first = static_cast<std::int32_t>(std::floor(array.minCoeff() * voxels_per_m));
-		count = static_cast<std::int64_t>(std::floor(array.maxCoeff() * voxels_per_m)) - first + 1;
-	}
-	/** A loop of its own and without std::floor, because it vectorises. */
-	void compute(const float* values, std::size_t n, float voxels_per_m)
-	{
-		for (std::size_t i = 0; i < n; ++i)
-		{
-			const float scaled = values[i] * voxels_per_m;
-			const auto truncated = static_cast<std::int32_t>(scaled);
-			block[i] = truncated - static_cast<std::int32_t>(static_cast<float>(truncated) > scaled) - first;
-		}
-	}
-};
-
-/** The voxel of each cell, as an array over the cloud's bounding box: the fastest look-up there is. */
-class ArrayIndex
-{
-public:
-	explicit ArrayIndex(std::size_t cells) : m_voxels(cells, kNoVoxel) {}
-	std::uint32_t& operator[](std::int64_t cell) { return m_voxels[static_cast<std::size_t>(cell)]; }
-
-private:
-	std::vector<std::uint32_t> m_voxels;
-};
-
-/** The same for boxes that are too large for an array: far, sparse clouds. */
-class HashIndex
-{
-public:
-	std::uint32_t& operator[](std::int64_t cell) { return m_voxels.try_emplace(cell, kNoVoxel).first->second; }
-
-private:
-	std::unordered_map<std::int64_t, std::uint32_t> m_voxels;
-};
-
-template <class Index>
-std::vector<VoxelSum> sumVoxels(const PointCloud& points, float voxels_per_m, std::array<AxisCells, 3>& axes,
-                                Index&& voxel_of_cell)
-{
-	auto& [x_axis, y_axis, z_axis] = axes;
-	std::vector<VoxelSum> voxels;
-	for (std::size_t begin = 0; begin < points.size(); begin += kBlock)
-	{
-		const std::size_t n = std::min(kBlock, points.size() - begin);
-		x_axis.compute(&points.x[begin], n, voxels_per_m);
-		y_axis.compute(&points.y[begin], n, voxels_per_m);
-		z_axis.compute(&points.z[begin], n, voxels_per_m);
-		for (std::size_t i = 0; i < n; ++i)
-		{
-			std::uint32_t& voxel =
-			    voxel_of_cell[(x_axis.block[i] * y_axis.count + y_axis.block[i]) * z_axis.count + z_axis.block[i]];
-			if (voxel == kNoVoxel)
-			{
-				voxel = static_cast<std::uint32_t>(voxels.size());
-				voxels.emplace_back();
-			}
-			VoxelSum& sum = voxels[voxel];
-			sum.x += points.x[begin + i];
-			sum.y += points.y[begin + i];
-			sum.z += points.z[begin + i];
-			++sum.count;
-		}
-	}
-	return voxels;
-}
-
-PointCloud centroids(const std::vector<VoxelSum>& voxels)
-{
-	PointCloud result;
-	result.resize(voxels.size());
-	for (std::size_t i = 0; i < voxels.size(); ++i)
-	{
-		const float weight = 1.0F / static_cast<float>(voxels[i].count);
-		result.x[i] = weight * voxels[i].x;
-		result.y[i] = weight * voxels[i].y;
-		result.z[i] = weight * voxels[i].z;
-	}
-	return result;
-}
+constexpr std::uint32_t kNone = 0;         // voxels count from 1 in the tables, which are born full of zeros
+constexpr float kMaxArrayCells = 1 << 23;  // 32 MB; a Kinect's view of 5 m at 5 cm has one million
+/** Cells that an array reaches to each side of the origin; adding it rounds borders by at most 1/2000 of a voxel. */
+constexpr float kShift = 4096;
 }  // namespace
 
 void describe(FieldVisitor& fields, VoxelGridConfig& config)
@@ -121,15 +19,79 @@ void describe(FieldVisitor& fields, VoxelGridConfig& config)
 	            "Edge of the voxels whose points are replaced by their centroid (paper: 0.05 m).");
 }
 
+VoxelGrid::VoxelGrid(const Eigen::AlignedBox3f& reach, const VoxelGridConfig& config)
+    : m_voxels_per_m(1.0F / static_cast<float>(config.voxel_size_m)),
+      // One cell more on both sides: points on the box's faces are rounded to either.
+      m_first((reach.min().array() * m_voxels_per_m).floor() - 1.0F)
+{
+	const Eigen::Array3f last = (reach.max().array() * m_voxels_per_m).floor() + 1.0F;
+	const Eigen::Array3f size = last - m_first + 1.0F;
+	m_strides = Eigen::Array3f(size.y() * size.z(), size.z(), 1.0F);
+	const bool near = m_first.minCoeff() > -kShift && last.maxCoeff() < kShift;
+	if (near && size.prod() <= kMaxArrayCells) m_cells.resize(static_cast<std::size_t>(size.prod()), kNone);
+}
+
+void VoxelGrid::placesOf(const PointBlock& points, Places& places) const
+{
+	// Positive numbers are rounded down by a mere conversion, which vectorises; std::floor does not.
+	const auto cell = [this](float value, float first)
+	{ return static_cast<float>(static_cast<std::int32_t>(value * m_voxels_per_m + kShift)) - (first + kShift); };
+	const Eigen::Array3f first = m_first, strides = m_strides;
+	for (std::size_t i = 0; i < points.count; ++i)
+		places[i] =
+		    static_cast<std::int32_t>(cell(points.x[i], first.x()) * strides.x() +
+		                              cell(points.y[i], first.y()) * strides.y() + cell(points.z[i], first.z()));
+}
+
+void VoxelGrid::addTo(std::uint32_t& voxel, const PointBlock& points, std::size_t i)
+{
+	if (voxel == kNone)
+	{
+		m_sums.emplace_back();
+		voxel = static_cast<std::uint32_t>(m_sums.size());
+	}
+	Sum& sum = m_sums[voxel - 1];
+	sum.x += points.x[i];
+	sum.y += points.y[i];
+	sum.z += points.z[i];
+	++sum.count;
+}
+
+void VoxelGrid::add(const PointBlock& points)
+{
+	if (m_cells.empty())
+	{
+		const auto cell = [this](float value) { return std::floor(value * m_voxels_per_m); };
+		for (std::size_t i = 0; i < points.count; ++i)
+			addTo(m_far_cells[{cell(points.x[i]), cell(points.y[i]), cell(points.z[i])}], points, i);
+		return;
+	}
+	Places places{};
+	for (std::size_t begin = 0; begin < points.count; begin += kBlock)
+	{
+		const PointBlock block{points.x + begin, points.y + begin, points.z + begin,
+		                       std::min(kBlock, points.count - begin)};
+		placesOf(block, places);
+		for (std::size_t i = 0; i < block.count; ++i) addTo(m_cells[static_cast<std::size_t>(places[i])], block, i);
+	}
+}
+
+PointCloud VoxelGrid::centroids() const
+{
+	PointCloud result;
+	result.reserve(m_sums.size());
+	for (const Sum& sum : m_sums)
+		result.push_back(Eigen::Vector3f(sum.x, sum.y, sum.z) / static_cast<float>(sum.count));
+	return result;
+}
+
 PointCloud voxelGrid(const PointCloud& points, const VoxelGridConfig& config)
 {
-	const float voxels_per_m = 1.0F / static_cast<float>(config.voxel_size_m);
-	std::array<AxisCells, 3> axes{AxisCells(points.x, voxels_per_m), AxisCells(points.y, voxels_per_m),
-	                              AxisCells(points.z, voxels_per_m)};
-	const double cells =
-	    static_cast<double>(axes[0].count) * static_cast<double>(axes[1].count) * static_cast<double>(axes[2].count);
-	return centroids(cells <= kMaxArrayCells
-	                     ? sumVoxels(points, voxels_per_m, axes, ArrayIndex(static_cast<std::size_t>(cells)))
-	                     : sumVoxels(points, voxels_per_m, axes, HashIndex()));
+	if (points.empty()) return {};
+	Eigen::AlignedBox3f box;
+	for (std::size_t i = 0; i < points.size(); ++i) box.extend(points[i]);
+	VoxelGrid grid(box, config);
+	grid.add(blockOf(points));
+	return grid.centroids();
 }
 }  // namespace explore

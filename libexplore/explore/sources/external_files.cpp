@@ -74,7 +74,7 @@ void checkFile(const fs::path& file)
 fs::path imagesFolderOf(const fs::path& rawlog, const std::string& configured)
 {
 	if (!configured.empty()) return configured;
-	const fs::path beside = rawlog.has_parent_path() ? rawlog.parent_path() : fs::path(".");
+	fs::path beside = rawlog.has_parent_path() ? rawlog.parent_path() : fs::path(".");
 	const std::string stem = rawlog.stem().string();
 	for (const std::string& name : {stem + "_Images", stem + "_images", std::string("Images")})
 	{

@@ -1,7 +1,12 @@
 #include "guarded_archive.h"
 
+#include <mrpt/obs/CObservationIMU.h>
+#include <mrpt/poses/CPosePDF.h>
 #include <mrpt/rtti/CObject.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -13,6 +18,22 @@ constexpr const char* kRangeScan = "CObservation3DRangeScan";
 constexpr unsigned char kHeaderFlag = 0x80, kEndFlag = 0x88;
 /** Far beyond any sensor's image or scan, and small enough for any machine. */
 constexpr double kMostBytes = 256.0 * 1024 * 1024;
+
+/** Classes in which all numbers of four bytes are counts or lengths. */
+constexpr std::array kCountsOnly = {
+    "CObservationIMU",          "CObservationRobotPose", "CObservationImage", "CObservationPointCloud",
+    "CObservationVelodyneScan", "CSensoryFrame",         "CActionCollection", "TCamera"};
+
+/** Images store negative sizes where they have colours. */
+double magnitude(std::uint32_t number)
+{
+	return std::abs(static_cast<double>(static_cast<std::int32_t>(number)));
+}
+
+bool isPoseDensity(const mrpt::rtti::TRuntimeClassId* id)
+{
+	return id != nullptr && id->derivedFrom(CLASS_ID(mrpt::poses::CPosePDF));
+}
 }  // namespace
 
 size_t GuardedArchive::write(const void*, size_t)
@@ -25,8 +46,9 @@ size_t GuardedArchive::read(void* buffer, size_t count)
 	if (m_scan_closed) refuse("more follows the byte that ends it");
 	m_stream->Read(buffer, count);
 	const auto* bytes = static_cast<const unsigned char*>(buffer);
-	m_is_text = m_run_size == sizeof(std::uint32_t) && m_run.back() == count;
-	checkFlag(bytes, count);
+	// The number 1 may also stand before an object, whose header no text of one letter looks like.
+	m_is_text = m_run_size == sizeof(std::uint32_t) && m_run.back() == count && (count > 1 || bytes[0] < kHeaderFlag);
+	checkFlags(bytes, count);
 	followNumbers(bytes, count);
 	followObjects(bytes, count);
 	if (bytesAskedFor() > kMostBytes)
@@ -41,9 +63,13 @@ void GuardedArchive::refuse(const std::string& why)
 	throw StreamDamage(why);
 }
 
-void GuardedArchive::checkFlag(const unsigned char* bytes, std::size_t count)
+void GuardedArchive::checkFlags(const unsigned char* bytes, std::size_t count)
 {
-	if (!inside(kRangeScan) || m_version_next || m_is_text) return;
+	if (m_version_next || m_is_text) return;
+	const bool all_flags = inside("CObservationIMU") && count == mrpt::obs::COUNT_IMU_DATA_FIELDS;
+	if (all_flags && std::any_of(bytes, bytes + count, [](unsigned char flag) { return flag > 1; }))
+		refuse("one of its flags is neither 0 nor 1");
+	if (!inside(kRangeScan)) return;
 	if (count == 8) m_flags_after_time = 0;
 	if (count != 1) return;
 	// The flags behind the third one after the timestamp are not all flags, and nobody here looks at them.
@@ -59,7 +85,10 @@ void GuardedArchive::followObjects(const unsigned char* bytes, std::size_t count
 	if (header_announced && count == m_name_length)
 	{
 		const std::string name(reinterpret_cast<const char*>(bytes), count);
-		m_version_next = mrpt::rtti::findRegisteredClass(name) != nullptr;
+		const auto* id = mrpt::rtti::findRegisteredClass(name);
+		if (inside("CActionRobotMovement2D") && !m_movement_by_odometry && !isPoseDensity(id))
+			refuse("a movement has a " + name + " for its probability density");
+		m_version_next = id != nullptr;
 		if (m_version_next) m_classes.push_back(name);
 		if (m_version_next && inside(kRangeScan)) m_flags_after_time = -1;
 	}
@@ -103,6 +132,8 @@ void GuardedArchive::followNumbers(const unsigned char* bytes, std::size_t count
 	m_run_size = count;
 	if (m_run.size() == 3) m_run.erase(m_run.begin());
 	m_run.push_back(number);
+	// The first number of a movement is its method; all but odometry (0) store a density, which MRPT does not check.
+	if (m_opener.is_version && m_run.size() == 1) m_movement_by_odometry = number == 0;
 }
 
 bool GuardedArchive::inside(const char* class_name) const
@@ -119,22 +150,24 @@ double GuardedArchive::bytesAskedFor() const
 	if (inside(kRangeScan)) return bytesOfRangeScan(length, count, area);
 	const bool after_object = m_opener.size == 1 && m_opener.value == kEndFlag, after_array = m_opener.size > 8;
 	if (inside("CMatrix") && m_opener.is_version && length == 2) return 8 * area;
-	if (length != 1) return 0;
-	if (inside("PointsMap") && (m_opener.is_version || after_array)) return 16 * count;
-	if (inside("CObservation2DRangeScan") && after_object) return 4 * count;
-	if (inside("CObservationVelodyneScan") && after_object) return 1206 * count;
-	if ((inside("CSensoryFrame") || inside("CActionCollection")) && m_opener.is_version) return 16 * count;
-	return 0;
+	if (inside("CImage") && length == 2 && m_opener.size == 1) return 3 * magnitude(m_run[0]) * magnitude(m_run[1]);
+	if (inside("PointsMap") && length == 1 && (m_opener.is_version || after_array)) return 16 * count;
+	if (inside("CObservation2DRangeScan") && length == 1 && after_object) return 4 * count;
+	if (inside("CObservationVelodyneScan") && length == 1 && after_object) return 1206 * count;
+	if (inside("CObservationOdometry") && length == 1 && after_object) return 16 * count;
+	const bool counts_only =
+	    std::any_of(kCountsOnly.begin(), kCountsOnly.end(), [&](auto* name) { return inside(name); });
+	return counts_only ? 16 * count : 0;
 }
 
 double GuardedArchive::bytesOfRangeScan(std::size_t length, double count, double area) const
 {
 	const bool after_flag = m_opener.size == 1, after_time = m_opener.size == 8;
+	// Behind the timestamp there are only lengths of names, and sizes of layers.
+	if (m_flags_after_time >= 0) return length == 2 && !after_flag && !after_time ? 2 * area : 16 * count;
 	// The first flag behind the sensor's pose: it has points, and this many.
 	if (after_flag && length == 1 && m_opener.follows_end) return 16 * count;
-	// Behind the next flag come the unit, rows and columns of the range image; behind a name, the size of another
-	// layer.
-	if (after_flag && length == 3) return 2 * area;
-	return !after_flag && !after_time && length == 2 ? 2 * area : 0;
+	// Behind the next flag come the unit, rows and columns of the range image.
+	return after_flag && length == 3 ? 2 * area : 0;
 }
 }  // namespace explore

@@ -29,7 +29,7 @@ protected:
 
 private:
 	[[noreturn]] void refuse(const std::string& why);
-	void checkFlag(const unsigned char* bytes, std::size_t count);
+	void checkFlags(const unsigned char* bytes, std::size_t count);
 	void endObject();
 	void followObjects(const unsigned char* bytes, std::size_t count);
 	void followNumbers(const unsigned char* bytes, std::size_t count);
@@ -43,8 +43,9 @@ private:
 	std::vector<std::string> m_classes;  ///< of the objects that are open, innermost last
 	std::size_t m_name_length = 0;       ///< of the class name that a header announced
 	bool m_version_next = false;
-	bool m_is_text = false;       ///< the last read was a text: as many bytes as the number before it said
-	bool m_scan_closed = false;   ///< the range scan that is the whole object has met its end
+	bool m_is_text = false;      ///< the last read was a text: as many bytes as the number before it said
+	bool m_scan_closed = false;  ///< the range scan that is the whole object has met its end
+	bool m_movement_by_odometry = false;
 	int m_flags_after_time = -1;  ///< of the range scan; −1 before its timestamp
 
 	std::vector<std::uint32_t> m_run;  ///< numbers of equal size read one after the other, the last three

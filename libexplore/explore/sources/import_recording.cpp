@@ -67,6 +67,7 @@ std::vector<TimedPose> robotPosesOfOptical(const std::vector<TimedPose>& map_fro
 {
 	const mrpt::poses::CPose3D optical_from_robot = -(robot_from_camera + cameraFromOptical());
 	std::vector<TimedPose> map_from_robot;
+	map_from_robot.reserve(map_from_optical.size());
 	for (const TimedPose& timed : map_from_optical)
 		map_from_robot.push_back({timed.time, timed.pose + optical_from_robot});
 	return map_from_robot;
