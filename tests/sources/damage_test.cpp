@@ -11,7 +11,6 @@ namespace explore::test
 {
 namespace
 {
-using mrpt::obs::CObservation3DRangeScan;
 /** What a damaged file gives; no value where it is refused outright. */
 struct Outcome
 {

@@ -146,12 +146,11 @@ TEST(GuardedArchive, RefusesFlagsThatAreNeitherTrueNorFalse)
 {
 	// Behind the range image: no intensity, no confidence, then the header of the camera's parameters.
 	const auto scan = scanOf(sceneFrame(), 0);
-	const std::string camera = "mrpt::img::TCamera";
-	const std::string flags("\0\0", 2), header(1, static_cast<char>(0x80 | camera.size()));
+	const std::string camera = static_cast<char>(0x80 | 18) + std::string("mrpt::img::TCamera");
 	for (const unsigned char flag : {0x02, 0x09, 0x41, 0x80, 0x81, 0xff})
 	{
-		const std::string spoilt = {static_cast<char>(flag), '\0'};
-		EXPECT_NE(damageOf(scan, flags + header + camera, spoilt + header + camera), "none") << int{flag};
+		std::string before("\0\0", 2), after = {static_cast<char>(flag), '\0'};
+		EXPECT_NE(damageOf(scan, before.append(camera), after.append(camera)), "none") << int{flag};
 	}
 }
 

@@ -44,7 +44,7 @@ std::filesystem::path testFolder()
 	const auto* info = testing::UnitTest::GetInstance()->current_test_info();
 	std::string name = std::string("explore_") + info->test_suite_name() + "_" + info->name();
 	std::replace(name.begin(), name.end(), '/', '_');
-	const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
+	std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
 	static std::filesystem::path made;
 	if (made != folder)
 	{

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <random>
 
 namespace explore::test
@@ -29,8 +30,8 @@ inline void addPatch(PointCloud& points, const Eigen::Vector3d& corner, const Ei
 {
 	std::normal_distribution<double> gauss;
 	const Eigen::Vector3d normal = edge_u.cross(edge_v).normalized();
-	const auto cells_u = static_cast<int>(edge_u.norm() / step_m + 0.5);
-	const auto cells_v = static_cast<int>(edge_v.norm() / step_m + 0.5);
+	const auto cells_u = static_cast<int>(std::lround(edge_u.norm() / step_m));
+	const auto cells_v = static_cast<int>(std::lround(edge_v.norm() / step_m));
 	for (int i = 0; i < cells_u; ++i)
 		for (int j = 0; j < cells_v; ++j)
 			points.push_back((corner + (i + uniform(random, 0, 1)) / cells_u * edge_u +
