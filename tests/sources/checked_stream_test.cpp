@@ -131,7 +131,7 @@ TEST(CheckedStream, NeverReturnsLessThanAsked)
 
 TEST(CheckedStream, RefusesWhatIsNoReadableFileWithTheReason)
 {
-	const auto messageFor = [](const std::filesystem::path& path) -> std::string
+	const auto message_for = [](const std::filesystem::path& path) -> std::string
 	{
 		try
 		{
@@ -143,9 +143,9 @@ TEST(CheckedStream, RefusesWhatIsNoReadableFileWithTheReason)
 		}
 		return "accepted";
 	};
-	EXPECT_THAT(messageFor(testFolder() / "missing"), testing::HasSubstr("missing: No such file or directory"));
-	EXPECT_THAT(messageFor(testFolder()), testing::HasSubstr("Is a directory"));
-	EXPECT_THAT(messageFor("/dev/null"), testing::HasSubstr("regular file is needed"));
+	EXPECT_THAT(message_for(testFolder() / "missing"), testing::HasSubstr("missing: No such file or directory"));
+	EXPECT_THAT(message_for(testFolder()), testing::HasSubstr("Is a directory"));
+	EXPECT_THAT(message_for("/dev/null"), testing::HasSubstr("regular file is needed"));
 }
 }  // namespace
 }  // namespace explore::test

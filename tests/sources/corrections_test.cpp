@@ -140,12 +140,12 @@ TEST(LensDistortion, OfAPlumbBobCameraIsRemoved)
 	scan->cameraParams.distortion = mrpt::img::DistortionModel::plumb_bob;
 	scan->cameraParams.dist = {-0.2, 0.05, 0.002, -0.001, 0.01, 0, 0, 0};
 	const CameraIntrinsics camera = sceneFrame().image.intrinsics;
-	const auto depthAlong = [](double right) { return 2.0 / (1.0 + 0.5 * right); };
+	const auto depth_along = [](double right) { return 2.0 / (1.0 + 0.5 * right); };
 	for (int v = 0; v < camera.height_px; ++v)
 		for (int u = 0; u < camera.width_px; ++u)
 		{
 			const Eigen::Vector2d seen((u - camera.cx_px) / camera.fx_px, (v - camera.cy_px) / camera.fy_px);
-			const double depth_m = depthAlong(idealOf(seen, scan->cameraParams.dist).x());
+			const double depth_m = depth_along(idealOf(seen, scan->cameraParams.dist).x());
 			scan->rangeImage(v, u) = static_cast<std::uint16_t>(std::lround(depth_m * 1000));
 		}
 	const auto log = testFolder() / "distorted.rawlog";
@@ -155,7 +155,7 @@ TEST(LensDistortion, OfAPlumbBobCameraIsRemoved)
 	for (int v = 0; v < camera.height_px; ++v)
 		for (int u = 0; u < camera.width_px; ++u)
 		{
-			const double truth_m = depthAlong((u - camera.cx_px) / camera.fx_px);
+			const double truth_m = depth_along((u - camera.cx_px) / camera.fx_px);
 			worst_uncorrected_m = std::max(worst_uncorrected_m, std::abs(0.001 * scan->rangeImage(v, u) - truth_m));
 			if (image.at(u, v) > 0) worst_m = std::max(worst_m, std::abs(image.at(u, v) - truth_m));
 		}

@@ -184,10 +184,10 @@ TEST(Poses, AnAskedKindThatIsMissingIsSaidOnceAndLeavesTheIdentity)
 TEST(Poses, MovementsAddUpAndBelongToTheSensoryFrameThatFollows)
 {
 	Objects objects;
-	const CPose2D step2D(0.2, 0.01, 0.1);
+	const CPose2D step_2d(0.2, 0.01, 0.1);
 	for (int i = 0; i < 5; ++i)
 	{
-		objects.push_back(move2D(step2D));
+		objects.push_back(move2D(step_2d));
 		objects.push_back(sensoryFrame(0.1 * i));
 	}
 	const auto frames = framesOf(objects);
@@ -203,12 +203,12 @@ TEST(Poses, MovementsAddUpAndBelongToTheSensoryFrameThatFollows)
 
 TEST(Poses, MovementsIn3D)
 {
-	const CPose3D step3D(0.1, 0, 0.05, 0.1, 0.2, 0.3);
-	const auto frames = framesOf({sensoryFrame(0), move3D(step3D), sensoryFrame(1), move3D(step3D), sensoryFrame(2)});
+	const CPose3D step_3d(0.1, 0, 0.05, 0.1, 0.2, 0.3);
+	const auto frames = framesOf({sensoryFrame(0), move3D(step_3d), sensoryFrame(1), move3D(step_3d), sensoryFrame(2)});
 	ASSERT_EQ(frames.size(), 3U);
 	expectSamePose(frames[0].map_from_robot, {});
-	expectSamePose(frames[1].map_from_robot, step3D);
-	expectSamePose(frames[2].map_from_robot, step3D + step3D);
+	expectSamePose(frames[1].map_from_robot, step_3d);
+	expectSamePose(frames[2].map_from_robot, step_3d + step_3d);
 }
 
 TEST(Poses, OfTwoOdometersTheFirstCounts)
