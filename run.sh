@@ -10,7 +10,7 @@ demo_packages=(
 	libmrpt-nav-dev libeigen3-dev zlib1g-dev
 	libcli11-dev nlohmann-json3-dev
 )
-test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common)
+test_packages=("${demo_packages[@]}" libsdformat-dev libassimp-dev libembree-dev libgtest-dev libgmock-dev mrpt-common)
 ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev)
 
 usage()
@@ -131,7 +131,7 @@ run_demo()
 run_test()
 {
 	install_packages "${test_packages[@]}"
-	configure EXPLORE_APPS=ON EXPLORE_TESTS=ON
+	configure EXPLORE_APPS=ON EXPLORE_SIMULATION=ON EXPLORE_TESTS=ON
 	timed "built" build
 	timed "tested" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
 }

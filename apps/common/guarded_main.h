@@ -9,13 +9,13 @@
 
 namespace explore::app
 {
-/** The result of `body()`, or the exit code of what it threw. */
-template <class Body>
-int guardedMain(std::string_view program, const Body& body)
+/** The result of `body()`, or the exit code of what it threw, after `failed(error)`. */
+template <class Body, class Failed>
+int guarded(const Body& body, const Failed& failed)
 {
-	const auto fail = [program](int exit_code, const std::exception& error)
+	const auto fail = [&](int exit_code, const std::exception& error)
 	{
-		std::cerr << program << ": " << error.what() << '\n';
+		failed(error);
 		return exit_code;
 	};
 	try
@@ -42,5 +42,13 @@ int guardedMain(std::string_view program, const Body& body)
 	{
 		return fail(kInternalError, error);
 	}
+}
+
+/** guarded() for main(): an error becomes a line on standard error. */
+template <class Body>
+int guardedMain(std::string_view program, const Body& body)
+{
+	return guarded(body,
+	               [program](const std::exception& error) { std::cerr << program << ": " << error.what() << '\n'; });
 }
 }  // namespace explore::app

@@ -3,6 +3,7 @@
 
 namespace explore::app
 {
-inline constexpr int kDone = 0, kInternalError = 1, kUsageError = 2, kInputError = 3, kSensorLost = 4, kOutputError = 5,
+inline constexpr int kDone = 0, kInternalError = 1, kRequirementMissed = 1, kUsageError = 2, kInputError = 3,
+                     kSensorLost = 4, kOutputError = 5,
                      kSignalBase = 128;  // plus the signal's number: 130 for SIGINT, 143 for SIGTERM
 }  // namespace explore::app

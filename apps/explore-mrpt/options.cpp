@@ -15,27 +15,15 @@ const std::map<std::string, VerbosityLevel> kVerbosities{{"DEBUG", mrpt::system:
                                                          {"INFO", mrpt::system::LVL_INFO},
                                                          {"WARN", mrpt::system::LVL_WARN},
                                                          {"ERROR", mrpt::system::LVL_ERROR}};
-const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
 
 void addInputOptions(CLI::App& app, Options& options)
 {
-	app.add_option("--ini", options.ini, "Configuration: a path, or a name in the ini/ folder such as corridor.ini")
-	    ->type_name("NAME");
+	addIniOption(app, options);
 	app.add_option("--rawlog", options.rawlog, "Recording to explore, instead of the ini's")->type_name("FILE");
-	app.add_option("--sensors-pose", options.sensors_pose,
-	               "Sensor poses from a rawlog-grabber ini, instead of the recorded ones")
-	    ->type_name("FILE");
-	app.add_option("--set", options.set, "Overrides one key of the ini; may be repeated")
-	    ->type_name("SECTION.KEY=VALUE")
-	    ->allow_extra_args(false);
-	app.add_option("--robot", options.robot,
-	               "ground or mav; where the ini says the other, with that one's default size")
-	    ->type_name("KIND")
-	    ->transform(CLI::CheckedTransformer(kRobots, CLI::ignore_case).description(""));
+	addOverrideOptions(app, options, "ground or mav; where the ini says the other, with that one's default size");
 	app.add_option("--max-frames", options.max_frames, "Stops after N frames")
 	    ->type_name("N")
 	    ->check(CLI::PositiveNumber.description(""));
-	app.add_option("--seed", options.seed, "The same as --set perception.seed=N")->type_name("N");
 }
 
 void addOutputOptions(CLI::App& app, Options& options)

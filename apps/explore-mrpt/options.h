@@ -1,7 +1,7 @@
 // The command line of explore-mrpt.
 #pragma once
 
-#include <explore/core/robot.h>
+#include <common/config_choices.h>
 #include <mrpt/system/COutputLogger.h>
 
 #include <optional>
@@ -10,17 +10,11 @@
 
 namespace explore::app
 {
-struct Options
+struct Options : ConfigChoices
 {
-	std::string ini;                  ///< empty = built-in defaults
-	std::string rawlog;               ///< empty = as the ini says
 	std::string out = "explore-out";  ///< "-" = JSON lines on standard output and no files
-	std::vector<std::string> set;     ///< "section.key=value"
-	std::optional<RobotKind> robot;
-	std::string sensors_pose;
 	std::optional<mrpt::system::VerbosityLevel> verbosity;
 	std::optional<std::size_t> max_frames;
-	std::optional<int> seed;
 	bool quiet = false;
 	bool dump_config = false;
 

@@ -1,8 +1,8 @@
+#include <common/input_paths.h>
+#include <common/mounted_source.h>
 #include <explore-mrpt/console_logger.h>
 #include <explore-mrpt/exit_codes.h>
-#include <explore-mrpt/input_paths.h>
 #include <explore-mrpt/interrupt.h>
-#include <explore-mrpt/mounted_source.h>
 #include <explore-mrpt/run.h>
 #include <explore-mrpt/run_outputs.h>
 #include <explore/core/errors.h>

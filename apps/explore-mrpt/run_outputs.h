@@ -1,7 +1,8 @@
 // All files of one run behind one face: a folder, or JSON lines on standard output alone.
 #pragma once
 
-#include <explore-mrpt/app_config.h>
+#include <common/app_config.h>
+#include <explore-mrpt/options.h>
 #include <explore/sinks/frame_picture.h>
 #include <explore/sinks/output_file.h>
 #include <explore/sinks/output_folder.h>

@@ -1,4 +1,4 @@
-// explore-rawlog info: what a rawlog contains, and whether it is intact.
+// explore-rawlog info: what a rawlog or a simulated world contains, and whether it is intact.
 #pragma once
 
 #include <functional>

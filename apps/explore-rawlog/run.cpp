@@ -2,6 +2,10 @@
 #include <explore-rawlog/import_command.h>
 #include <explore-rawlog/info_command.h>
 #include <explore-rawlog/run.h>
+#ifdef EXPLORE_SIMULATION
+#include <explore-rawlog/record_command.h>
+#include <explore-rawlog/synth_command.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -11,7 +15,7 @@ namespace explore::app
 {
 int runRawlogTool(int argc, const char* const* argv)
 {
-	CLI::App app("Makes rawlogs from recordings, and tells what a rawlog contains.", "explore-rawlog");
+	CLI::App app("Makes rawlogs from recordings and simulated worlds, and tells what they contain.", "explore-rawlog");
 	app.set_version_flag("--version", std::string("explore-rawlog ") + EXPLORE_VERSION);
 	app.require_subcommand(1);
 	app.footer(
@@ -19,6 +23,10 @@ int runRawlogTool(int argc, const char* const* argv)
 	std::function<int()> command;
 	addImportCommand(app, command);
 	addInfoCommand(app, command);
+#ifdef EXPLORE_SIMULATION
+	addRecordCommand(app, command);
+	addSynthCommand(app, command);
+#endif
 	try
 	{
 		app.parse(argc, argv);

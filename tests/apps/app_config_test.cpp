@@ -1,6 +1,6 @@
 #include "support/test_files.h"
 
-#include <explore-mrpt/app_config.h>
+#include <common/app_config.h>
 #include <explore/core/errors.h>
 #include <gmock/gmock.h>
 
@@ -10,11 +10,11 @@ using testing::HasSubstr;
 
 namespace
 {
-Options withIni(const std::string& text)
+ConfigChoices withIni(const std::string& text)
 {
 	const auto path = test::freshFolder() / "test.ini";
 	test::writeFile(path, text);
-	Options options;
+	ConfigChoices options;
 	options.ini = path.string();
 	return options;
 }
@@ -31,7 +31,7 @@ TEST(AppConfig, WithoutIniTheDefaultsHold)
 
 TEST(AppConfig, SetWinsOverTheIniAndSeedOverBoth)
 {
-	Options options = withIni("[robot]\nradius = 0.3\nheight = 0.5\n[perception]\nseed = 3\n");
+	ConfigChoices options = withIni("[robot]\nradius = 0.3\nheight = 0.5\n[perception]\nseed = 3\n");
 	options.set = {"robot.radius=0.4"};
 	options.seed = 8;
 	const auto loaded = loadConfig(options);
@@ -51,7 +51,7 @@ TEST(AppConfig, RobotKeysLeftOutAreThoseOfItsKind)
 
 TEST(AppConfig, RobotOptionOfTheOtherKindReplacesTheInisRobot)
 {
-	Options options = withIni("[robot]\nkind = ground\nradius = 0.5\nheight = 1.5\n");
+	ConfigChoices options = withIni("[robot]\nkind = ground\nradius = 0.5\nheight = 1.5\n");
 	options.robot = RobotKind::mav;
 	options.set = {"robot.height=0.2"};
 	const auto robot = loadConfig(options).config.explorer.robot;
@@ -63,14 +63,14 @@ TEST(AppConfig, RobotOptionOfTheOtherKindReplacesTheInisRobot)
 
 TEST(AppConfig, RobotOptionOfTheSameKindKeepsTheInisRobot)
 {
-	Options options = withIni("[robot]\nkind = mav\nradius = 0.35\n");
+	ConfigChoices options = withIni("[robot]\nkind = mav\nradius = 0.35\n");
 	options.robot = RobotKind::mav;
 	EXPECT_EQ(loadConfig(options).config.explorer.robot.radius_m, 0.35);
 }
 
 TEST(AppConfig, RawlogOptionWinsOverTheIni)
 {
-	Options options = withIni("[source]\nrawlog = a.rawlog\n");
+	ConfigChoices options = withIni("[source]\nrawlog = a.rawlog\n");
 	EXPECT_EQ(loadConfig(options).config.source.rawlog, "a.rawlog");
 	options.rawlog = "b.rawlog";
 	EXPECT_EQ(loadConfig(options).config.source.rawlog, "b.rawlog");
@@ -80,7 +80,7 @@ TEST(AppConfig, SensorPosesComeFromAGrabberFile)
 {
 	const auto grabber = test::freshFolder() / "grabber.ini";
 	test::writeFile(grabber, "[KINECT]\nsensorLabel = KINECT\npose_z = 0.7\npose_pitch = 10\n");
-	Options options;
+	ConfigChoices options;
 	options.sensors_pose = grabber.string();
 	const auto poses = loadConfig(options).config.source.sensor_poses;
 	ASSERT_EQ(poses.count("KINECT"), 1U);
@@ -92,7 +92,7 @@ TEST(AppConfig, MistakesOnTheCommandLineAreNamed)
 {
 	const auto message_for = [](const std::string& set)
 	{
-		Options options;
+		ConfigChoices options;
 		options.set = {set};
 		try
 		{
@@ -111,7 +111,7 @@ TEST(AppConfig, MistakesOnTheCommandLineAreNamed)
 
 TEST(AppConfig, DumpLoadsBackToTheSameDump)
 {
-	Options options;
+	ConfigChoices options;
 	options.set = {"robot.radius=0.1234567890123", "perception.ground_tilt_deg=7.3", "output.pictures_every=4"};
 	const std::string dump = dumpConfig(loadConfig(options).config);
 	EXPECT_EQ(dumpConfig(loadConfig(withIni(dump)).config), dump);

@@ -1,6 +1,6 @@
 #include "support/test_files.h"
 
-#include <explore-mrpt/app_config.h>
+#include <common/app_config.h>
 #include <explore/config/ini.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ void expectCurrent(const fs::path& path, const std::string& expected)
 
 AppConfig shipped(const std::string& name)
 {
-	Options options;
+	ConfigChoices options;
 	options.ini = (kSource / "ini" / name).string();
 	return loadConfig(options).config;
 }

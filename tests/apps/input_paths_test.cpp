@@ -1,6 +1,6 @@
 #include "support/test_files.h"
 
-#include <explore-mrpt/input_paths.h>
+#include <common/input_paths.h>
 #include <explore/core/errors.h>
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include "support/analytic_scene.h"
 
-#include <explore-mrpt/mounted_source.h>
+#include <common/mounted_source.h>
 #include <gmock/gmock.h>
 
 using namespace explore;

@@ -36,12 +36,12 @@ mrpt::obs::CObservation3DRangeScan scanOf(const DepthFrame& frame, mrpt::Clock::
 	return scan;
 }
 
-mrpt::obs::CObservationOdometry odometryAt(double x_m, mrpt::Clock::time_point time)
+mrpt::obs::CObservationOdometry odometryAt(const mrpt::poses::CPose2D& pose, mrpt::Clock::time_point time)
 {
 	mrpt::obs::CObservationOdometry odometry;
 	odometry.timestamp = time;
 	odometry.sensorLabel = "ODOMETRY";
-	odometry.odometry = mrpt::poses::CPose2D(x_m, 0, 0);
+	odometry.odometry = pose;
 	return odometry;
 }
 }  // namespace
@@ -61,7 +61,19 @@ void writeCorridorRawlog(const std::filesystem::path& path, const RawlogShape& s
 		auto scan = scanOf(frame, time);
 		scan.sensorPose = shape.record_mount ? mount : mrpt::poses::CPose3D();
 		if (shape.change) shape.change(i, scan);
-		archive << odometryAt(x_m, time) << scan;
+		archive << odometryAt(mrpt::poses::CPose2D(x_m, 0, 0), time) << scan;
+	}
+}
+
+void writeRawlog(const std::filesystem::path& path, const std::vector<DepthFrame>& frames)
+{
+	mrpt::io::CFileGZOutputStream file(path.string(), mrpt::io::OpenMode::TRUNCATE, 1);
+	auto archive = mrpt::serialization::archiveFrom(file);
+	for (const DepthFrame& frame : frames)
+	{
+		auto scan = scanOf(frame, frame.timestamp);
+		scan.sensorPose = frame.robot_from_camera;
+		archive << odometryAt(mrpt::poses::CPose2D(frame.map_from_robot), frame.timestamp) << scan;
 	}
 }
 }  // namespace explore::test

@@ -1,8 +1,11 @@
 // Small rawlogs of an analytic corridor, written with MRPT alone.
 #pragma once
 
+#include <explore/core/depth_frame.h>
+
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace mrpt::obs
 {
@@ -23,4 +26,7 @@ struct RawlogShape
 /** A robot drives 0.05 m a frame (0.1 s) along a corridor of 2 m width with a door on the left: odometry and 160 × 120
  *  depth frames, gzipped. */
 void writeCorridorRawlog(const std::filesystem::path& path, const RawlogShape& shape = {});
+
+/** These frames with their times and mounts, and odometry from their poses; gzipped. */
+void writeRawlog(const std::filesystem::path& path, const std::vector<DepthFrame>& frames);
 }  // namespace explore::test

@@ -6,6 +6,8 @@ std::vector<Layer> projectLayers()
 {
 	const std::string root = "libexplore/explore/";
 	return {
+	    // The truth about a simulated world: what looks for doors, remembers or steers must not see it.
+	    {"truth", root + "core/truth.", {"core"}, {"mrpt", "Eigen"}, true},
 	    {"core", root + "core/", {}, {"mrpt", "Eigen", "malloc.h"}, true},
 	    {"config", root + "config/", {"core"}, {"mrpt", "Eigen"}, false},
 	    {"perception", root + "perception/", {"core", "config"}, {"mrpt", "Eigen", "octomap"}, true},
@@ -17,9 +19,20 @@ std::vector<Layer> projectLayers()
 	     true},
 	    {"sources", root + "sources/", {"core", "config"}, {"mrpt", "Eigen", "zlib.h"}, false},
 	    {"sinks", root + "sinks/", {"core", "config", "pipeline"}, {"mrpt", "Eigen", "nlohmann", "CLI"}, false},
+	    {"evaluation",
+	     root + "evaluation/",
+	     {"core", "truth", "config", "perception", "navigation", "pipeline", "sinks"},
+	     {"mrpt", "Eigen", "nlohmann"},
+	     false},
+	    {"simulation",
+	     root + "simulation/",
+	     {"core", "truth", "config"},
+	     {"mrpt", "Eigen", "sdf", "assimp", "embree3"},
+	     false},
 	    {"apps",
 	     "apps/",
-	     {"core", "config", "perception", "navigation", "pipeline", "sources", "sinks"},
+	     {"core", "truth", "config", "perception", "navigation", "pipeline", "sources", "sinks", "evaluation",
+	      "simulation"},
 	     {"mrpt", "Eigen", "nlohmann", "CLI"},
 	     false},
 	};

@@ -45,6 +45,21 @@ TEST(FramePicture, ShowsDoorWallVanishingPointAndHeadingInBothViews)
 		}
 }
 
+TEST(FramePicture, NotesAreDrawnBesideTheResults)
+{
+	const mrpt::img::TColor violet(167, 139, 250);
+	DoorMark mark = markOf(test::fullResult().percepts.doors.front(), std::nullopt);
+	mark.color = violet;
+	const PictureNotes notes{"a title", {mark}};
+	const auto with = drawFramePicture(corridorFrame(), StepResult{}, {}, notes);
+	const auto without = drawFramePicture(corridorFrame(), StepResult{}, {});
+	for (const auto& [from, to] : {std::pair{0U, 640U}, {648U, 1128U}})
+	{
+		EXPECT_GT(countOf(with, violet, from, to), 20) << "columns from " << from;
+		EXPECT_EQ(countOf(without, violet, from, to), 0) << "columns from " << from;
+	}
+}
+
 TEST(FramePicture, NearIsPalerThanFar)
 {
 	double before = 1000;

@@ -1,6 +1,8 @@
 // The robot's body and limits: what perception, choosing and avoiding all need to know about it.
 #pragma once
 
+#include <string_view>
+
 namespace explore
 {
 enum class RobotKind
@@ -8,6 +10,10 @@ enum class RobotKind
 	ground,
 	mav
 };
+[[nodiscard]] constexpr std::string_view nameOf(RobotKind kind)
+{
+	return kind == RobotKind::ground ? "ground" : "mav";
+}
 
 /** Defaults are the ground robot of doc/frames.md. */
 struct RobotConfig

@@ -10,16 +10,6 @@ namespace
 {
 constexpr double kDoorMargin_m = 0.10;
 
-bool fitsThrough(const Door& door, const RobotConfig& robot)
-{
-	const bool passable =
-	    door.verdict == Verdict::open || door.verdict == Verdict::ajar || door.verdict == Verdict::passage;
-	const bool flies = robot.kind == RobotKind::mav;
-	const double needed_height_m = flies ? robot.min_altitude_m + 0.5 * robot.height_m : robot.height_m;
-	const bool high = !door.height_m || *door.height_m >= needed_height_m;
-	return passable && high && door.clear_width_m >= 2.0 * robot.radius_m + kDoorMargin_m;
-}
-
 const Door* nearestDoor(const std::vector<Door>& doors, const Eigen::Matrix3d& level_from_robot,
                         const RobotConfig& robot)
 {
@@ -49,6 +39,16 @@ void describe(FieldVisitor& fields, GoalConfig& config)
 	static constexpr std::array<std::string_view, 1> kPolicies{"paper"};
 	fields.section("goal", "Where the robot wants to go");
 	fields.choice("policy", config.policy, kPolicies, "paper: nearest door, else vanishing point, else straight on");
+}
+
+bool fitsThrough(const Door& door, const RobotConfig& robot)
+{
+	const bool passable =
+	    door.verdict == Verdict::open || door.verdict == Verdict::ajar || door.verdict == Verdict::passage;
+	const bool flies = robot.kind == RobotKind::mav;
+	const double needed_height_m = flies ? robot.min_altitude_m + 0.5 * robot.height_m : robot.height_m;
+	const bool high = !door.height_m || *door.height_m >= needed_height_m;
+	return passable && high && door.clear_width_m >= 2.0 * robot.radius_m + kDoorMargin_m;
 }
 
 GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot, const GoalConfig& /*config*/)

@@ -27,8 +27,12 @@ struct GoalChoice
 	double desired_rad = 0;                     ///< θ_d
 };
 
-/** The paper's policy: θ_d = θ_o where a door was found, else θ_v, else 0 (straight on). A door counts when a robot can
- *  go through now (open, ajar, passage), is wide enough (diameter + 0.10 m) and, where its height is known, high
- *  enough; nearest = by the horizontal distance of its centre. Azimuths are about the floor's normal. */
+/** Whether a report says that the robot can go through now: its verdict is open, ajar or passage, it is wide enough
+ *  (diameter + 0.10 m) and, where its height is known, high enough. */
+[[nodiscard]] bool fitsThrough(const Door& door, const RobotConfig& robot);
+
+/** The paper's policy: θ_d = θ_o where a door was found, else θ_v, else 0 (straight on). The
+ *  door is the nearest that fitsThrough(), by the horizontal distance of its centre. Azimuths are about the floor's
+ *  normal. */
 GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot, const GoalConfig& config);
 }  // namespace explore

@@ -87,15 +87,16 @@ void drawFloorLine(Canvas& canvas, const View& view, const Line& line, double ma
 	}
 }
 
-void drawDoor(Canvas& canvas, const View& view, const Door& door, const std::optional<Ground>& ground)
+void drawDoor(Canvas& canvas, const View& view, const DoorMark& mark)
 {
-	const auto corners = doorCorners(door, ground);
+	const auto& corners = mark.corners_in_robot;
 	for (std::size_t i = 0; i < corners.size(); ++i)
 		if (const auto ends = view.segment(corners[i], corners[(i + 1) % corners.size()]))
-			canvas.line(ends->first, ends->second, 3.0, {style::kDoor});
-	const Eigen::Vector3d middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+			canvas.line(ends->first, ends->second, 3.0, {mark.color});
+	const Eigen::Vector3d foot = 0.5 * (corners[0] + corners[1]), top = 0.5 * (corners[2] + corners[3]);
+	const Eigen::Vector3d middle = foot + mark.label_height * (top - foot);
 	if (const auto at = view.pixel(view.inCamera(middle)); at && canvas.clip().contains(*at))
-		canvas.label(*at, doorLabel(door), {style::kDoor, 0.9});
+		canvas.label(*at, mark.label, {mark.color, 0.9});
 }
 
 void drawVanishingPoint(Canvas& canvas, const View& view, const VanishingPoint& vanishing_point)
@@ -128,7 +129,7 @@ void drawHeadings(Canvas& canvas, const View& view, const StepResult& result)
 }  // namespace
 
 void drawCameraView(Canvas& canvas, const CanvasArea& area, const DepthFrame& frame, const StepResult& result,
-                    const PictureConfig& config)
+                    const PictureConfig& config, const PictureNotes& notes)
 {
 	canvas.clipTo(area);
 	if (frame.image.empty())
@@ -140,7 +141,8 @@ void drawCameraView(Canvas& canvas, const CanvasArea& area, const DepthFrame& fr
 	drawDepth(canvas, area, frame.image, view.scale(), config.max_range_m);
 	for (const Wall& wall : result.percepts.walls) drawFloorLine(canvas, view, wall.floor_line, config.max_range_m);
 	drawHeadings(canvas, view, result);
-	for (const Door& door : result.percepts.doors) drawDoor(canvas, view, door, result.percepts.ground);
+	for (const DoorMark& mark : notes.doors) drawDoor(canvas, view, mark);
+	for (const Door& door : result.percepts.doors) drawDoor(canvas, view, markOf(door, result.percepts.ground));
 	for (const auto& vanishing_point : result.percepts.vanishing_points)
 		drawVanishingPoint(canvas, view, vanishing_point);
 }

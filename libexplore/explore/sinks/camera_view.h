@@ -7,5 +7,5 @@ namespace explore
 {
 /** Fills `area` of the canvas; an unorganised cloud has no image and gets a note instead. */
 void drawCameraView(Canvas& canvas, const CanvasArea& area, const DepthFrame& frame, const StepResult& result,
-                    const PictureConfig& config);
+                    const PictureConfig& config, const PictureNotes& notes = {});
 }  // namespace explore

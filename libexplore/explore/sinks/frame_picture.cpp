@@ -36,12 +36,11 @@ std::string decisionText(const Decision& decision)
 	                    decision.open_path_m, decision.command.velocity_mps.norm());
 }
 
-void drawTitle(Canvas& canvas, const DepthFrame& frame, const StepResult& result)
+void drawTitle(Canvas& canvas, const std::string& title, const Decision& decision)
 {
-	canvas.text({8, 8}, title(frame, result), style::kText);
-	const std::string decision = decisionText(result.decision);
-	canvas.text({kWidth_px - Canvas::textWidth(decision) - 16.0, 8}, decision,
-	            result.decision.stop ? style::kDoor : style::kChosen);
+	canvas.text({8, 8}, title, style::kText);
+	const std::string text = decisionText(decision);
+	canvas.text({kWidth_px - Canvas::textWidth(text) - 16.0, 8}, text, decision.stop ? style::kDoor : style::kChosen);
 }
 
 void drawLegend(Canvas& canvas)
@@ -74,10 +73,11 @@ bool isWholePng(const std::filesystem::path& path)
 }
 }  // namespace
 
-mrpt::img::CImage drawFramePicture(const DepthFrame& frame, const StepResult& result, const PictureConfig& config)
+mrpt::img::CImage drawFramePicture(const DepthFrame& frame, const StepResult& result, const PictureConfig& config,
+                                   const PictureNotes& notes)
 {
 	Canvas canvas(kWidth_px, kHeight_px, style::kPaper);
-	drawTitle(canvas, frame, result);
+	drawTitle(canvas, notes.title.empty() ? title(frame, result) : notes.title, result.decision);
 	drawLegend(canvas);
 	const auto panel = [&](const CanvasArea& area)
 	{
@@ -86,8 +86,8 @@ mrpt::img::CImage drawFramePicture(const DepthFrame& frame, const StepResult& re
 	};
 	panel(kCameraArea);
 	panel(kPlanArea);
-	drawCameraView(canvas, kCameraArea, frame, result, config);
-	drawPlanView(canvas, kPlanArea, frame, result, config);
+	drawCameraView(canvas, kCameraArea, frame, result, config, notes);
+	drawPlanView(canvas, kPlanArea, frame, result, config, notes);
 	return canvas.image();
 }
 

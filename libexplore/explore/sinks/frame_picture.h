@@ -7,8 +7,9 @@
 
 namespace explore
 {
-/** 1136 × 548 px: title, camera view, plan view, legend. */
-mrpt::img::CImage drawFramePicture(const DepthFrame& frame, const StepResult& result, const PictureConfig& config);
+/** 1136 × 548 px: title, camera view, plan view, legend. The doors of `notes` lie below those of the results. */
+mrpt::img::CImage drawFramePicture(const DepthFrame& frame, const StepResult& result, const PictureConfig& config,
+                                   const PictureNotes& notes = {});
 
 /** Writes the picture of every n-th frame into a folder, which is made with the first one. */
 class FramePictures

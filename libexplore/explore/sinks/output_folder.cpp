@@ -17,13 +17,6 @@ namespace fs = std::filesystem;
 	throw OutputError(path.string() + ": cannot " + action + ": " + error.message());
 }
 
-void removeFile(const fs::path& path)
-{
-	std::error_code error;
-	fs::remove(path, error);
-	if (error) fail(path, "remove the file of an earlier run", error);
-}
-
 /** NNNNNN.png, or more digits. */
 bool isPictureOfOurs(const fs::path& path)
 {
@@ -31,18 +24,34 @@ bool isPictureOfOurs(const fs::path& path)
 	return path.extension() == ".png" && stem.size() >= 6 &&
 	       std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
+}  // namespace
 
-void removePictures(const fs::path& folder)
+void makeFolder(const fs::path& folder)
+{
+	std::error_code error;
+	if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+		throw OutputError(folder.string() + ": is not a folder; --out takes the name of a folder, new or existing");
+	fs::create_directories(folder, error);
+	if (error) fail(folder, "create the output folder", error);
+}
+
+void removeOldFile(const fs::path& path)
+{
+	std::error_code error;
+	fs::remove(path, error);
+	if (error) fail(path, "remove the file of an earlier run", error);
+}
+
+void removeOldFiles(const fs::path& folder, const std::function<bool(const fs::path&)>& ours)
 {
 	if (!fs::is_directory(folder)) return;
-	std::vector<fs::path> ours;
+	std::vector<fs::path> found;
 	for (const auto& entry : fs::directory_iterator(folder))
-		if (isPictureOfOurs(entry.path())) ours.push_back(entry.path());
-	for (const auto& path : ours) removeFile(path);
+		if (ours(entry.path())) found.push_back(entry.path());
+	for (const auto& path : found) removeOldFile(path);
 	std::error_code ignored;
 	fs::remove(folder, ignored);  // stays where it holds files of others
 }
-}  // namespace
 
 OutputPaths outputPaths(const fs::path& folder)
 {
@@ -56,15 +65,10 @@ OutputPaths outputPaths(const fs::path& folder)
 
 OutputPaths prepareOutputFolder(const fs::path& folder)
 {
-	std::error_code error;
-	if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-		throw OutputError(folder.string() + ": is not a folder; --out takes the name of a folder, new or existing");
-	fs::create_directories(folder, error);
-	if (error) fail(folder, "create the output folder", error);
-
+	makeFolder(folder);
 	OutputPaths paths = outputPaths(folder);
-	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.summary, &paths.trajectory}) removeFile(*file);
-	removePictures(paths.pictures);
+	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.summary, &paths.trajectory}) removeOldFile(*file);
+	removeOldFiles(paths.pictures, isPictureOfOurs);
 	return paths;
 }
 }  // namespace explore

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 namespace explore
 {
@@ -11,6 +12,15 @@ struct OutputPaths
 	std::filesystem::path folder, frames, timing, summary, trajectory, pictures;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
+
+/** Creates `folder` where it is missing. Throws OutputError when it is a file or cannot be created. */
+void makeFolder(const std::filesystem::path& folder);
+/** Removes the file of an earlier run, where there is one. Throws OutputError. */
+void removeOldFile(const std::filesystem::path& path);
+
+/** Removes the files of an earlier run below `folder` for which `ours` holds, and the folder when nothing is left in
+ * it. Throws OutputError. */
+void removeOldFiles(const std::filesystem::path& folder, const std::function<bool(const std::filesystem::path&)>& ours);
 
 /** Creates the folder where it is missing and removes the files of an earlier run, so that nothing old can be taken for
  *  new; every other file stays. Throws OutputError when `folder` is a file, or cannot be created or cleared. */

@@ -44,6 +44,11 @@ std::array<Eigen::Vector3d, 4> doorCorners(const Door& door, const std::optional
 	return {foot - half, foot + half, foot + half + rise, foot - half + rise};
 }
 
+DoorMark markOf(const Door& door, const std::optional<Ground>& ground)
+{
+	return {doorCorners(door, ground), door.normal, style::kDoor, doorLabel(door)};
+}
+
 std::string doorLabel(const Door& door)
 {
 	const std::string name = door.verdict == Verdict::open ? "door" : std::string(nameOf(door.verdict));

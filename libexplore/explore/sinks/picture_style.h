@@ -6,6 +6,10 @@
 #include <explore/pipeline/explorer.h>
 #include <explore/sinks/canvas.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace explore
 {
 /** What the pictures need to know besides the frame and its results. */
@@ -13,6 +17,23 @@ struct PictureConfig
 {
 	double max_range_m = 5.0;  ///< the plan view reaches this far; depth colours end here
 	RobotConfig robot;
+};
+
+/** An opening as it is drawn. */
+struct DoorMark
+{
+	std::array<Eigen::Vector3d, 4> corners_in_robot;    ///< floor, floor, lintel, lintel
+	Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< of its wall, toward the robot
+	mrpt::img::TColor color;
+	std::string label;
+	double label_height = 0.5;  ///< where the label stands: share of the opening's height
+};
+
+/** What is drawn besides the frame's own results. */
+struct PictureNotes
+{
+	std::string title;  ///< instead of the usual one; empty = the usual one
+	std::vector<DoorMark> doors;
 };
 
 namespace style
@@ -32,6 +53,9 @@ Eigen::Vector3d floorPoint(const std::optional<Ground>& ground, double heading_r
 
 /** The four corners of an opening in the robot frame: floor, floor, lintel, lintel (2 m high where unknown). */
 std::array<Eigen::Vector3d, 4> doorCorners(const Door& door, const std::optional<Ground>& ground);
+
+/** A door of the results. */
+DoorMark markOf(const Door& door, const std::optional<Ground>& ground);
 
 /** "door 0.92 m", with the verdict where it is not `open`. */
 std::string doorLabel(const Door& door);

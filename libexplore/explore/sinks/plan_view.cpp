@@ -87,17 +87,17 @@ void drawWall(Canvas& canvas, const Plan& plan, const Wall& wall, const PointClo
 			canvas.line(end(double(bin) - 0.5), end(double(bin) + 0.5), 3.0, {style::kWall});
 }
 
-void drawDoor(Canvas& canvas, const Plan& plan, const Door& door, const std::optional<Ground>& ground)
+void drawDoor(Canvas& canvas, const Plan& plan, const DoorMark& mark)
 {
-	const auto corners = doorCorners(door, ground);
+	const auto& corners = mark.corners_in_robot;
 	const CanvasPoint a = plan.at(corners[0]), b = plan.at(corners[1]);
-	canvas.line(a, b, 5.0, {style::kDoor});
-	canvas.disc(a, 4.5, {style::kDoor});
-	canvas.disc(b, 4.5, {style::kDoor});
+	canvas.line(a, b, 5.0, {mark.color});
+	canvas.disc(a, 4.5, {mark.color});
+	canvas.disc(b, 4.5, {mark.color});
 	// The label stands behind the opening, where the wall's dots do not run.
-	const CanvasPoint away = plan.at(door.center - door.normal) - plan.at(door.center);
-	const CanvasPoint offset(away.x() * 0.75, away.y() * 0.35);
-	canvas.label(0.5 * (a + b) + offset, doorLabel(door), {style::kDoor, 0.9});
+	const CanvasPoint away = plan.at(corners[0] - mark.normal) - a;
+	const CanvasPoint offset(away.x() * 1.5, away.y() * 0.7);
+	canvas.label(0.5 * (a + b) + mark.label_height * offset, mark.label, {mark.color, 0.9});
 }
 
 void drawVanishingPoint(Canvas& canvas, const Plan& plan, const VanishingPoint& vanishing_point)
@@ -144,7 +144,7 @@ void drawRobot(Canvas& canvas, const Plan& plan, const RobotConfig& robot)
 }  // namespace
 
 void drawPlanView(Canvas& canvas, const CanvasArea& area, const DepthFrame& frame, const StepResult& result,
-                  const PictureConfig& config)
+                  const PictureConfig& config, const PictureNotes& notes)
 {
 	canvas.clipTo(area);
 	const Plan plan(area, config.max_range_m);
@@ -156,7 +156,8 @@ void drawPlanView(Canvas& canvas, const CanvasArea& area, const DepthFrame& fram
 	for (const Wall& wall : percepts.walls) drawWall(canvas, plan, wall, percepts.obstacles_in_robot);
 	drawRobot(canvas, plan, config.robot);
 	drawHeadings(canvas, plan, result.decision, config);
-	for (const Door& door : percepts.doors) drawDoor(canvas, plan, door, percepts.ground);
+	for (const DoorMark& mark : notes.doors) drawDoor(canvas, plan, mark);
+	for (const Door& door : percepts.doors) drawDoor(canvas, plan, markOf(door, percepts.ground));
 	for (const auto& vanishing_point : percepts.vanishing_points) drawVanishingPoint(canvas, plan, vanishing_point);
 }
 }  // namespace explore

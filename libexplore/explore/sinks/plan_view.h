@@ -7,5 +7,5 @@ namespace explore
 {
 /** Fills `area` of the canvas. */
 void drawPlanView(Canvas& canvas, const CanvasArea& area, const DepthFrame& frame, const StepResult& result,
-                  const PictureConfig& config);
+                  const PictureConfig& config, const PictureNotes& notes = {});
 }  // namespace explore

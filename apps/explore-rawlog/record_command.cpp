@@ -1,0 +1,102 @@
+#include <explore-mrpt/exit_codes.h>
+#include <explore-rawlog/record_command.h>
+#include <explore-rawlog/record_options.h>
+#include <explore/core/errors.h>
+#include <explore/evaluation/truth_file.h>
+#include <explore/simulation/carriers.h>
+#include <explore/simulation/load_world.h>
+#include <explore/sources/image_folders.h>
+#include <explore/sources/rawlog_writer.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace explore::app
+{
+namespace
+{
+using namespace explore::simulation;
+
+/** Time of a driven route's first frame, seconds since 1970: fixed, so that the same command gives the same bytes. */
+constexpr double kStart_s = 1'600'000'000.0;
+
+void warn(const std::string& text)
+{
+	std::cerr << "explore-rawlog: warning: " << text << '\n';
+}
+
+const Route& routeOf(const World& world, const RecordOptions& options)
+{
+	const auto named = std::find_if(world.routes.begin(), world.routes.end(),
+	                                [&](const Route& route) { return route.name == options.drive; });
+	if (named != world.routes.end()) return *named;
+	std::string routes;
+	for (const Route& route : world.routes) routes.append(routes.empty() ? "" : ", ").append(route.name);
+	throw ConfigError("--drive " + options.drive + ": no route of " + options.world +
+	                  (routes.empty() ? ", which has none: a --path is needed" : "; it has " + routes));
+}
+
+std::vector<TimedPose> pathOf(const RecordOptions& options)
+{
+	std::vector<TimedPose> poses = readTumPoses(options.path);
+	if (poses.empty()) throw InputError(options.path + ": has no pose; lines 't x y z qx qy qz qw' are needed");
+	return poses;
+}
+
+std::vector<PathPose> fromStart(const std::vector<TimedPose>& poses)
+{
+	std::vector<PathPose> path;
+	for (const TimedPose& pose : poses) path.push_back({secondsBetween(poses.front().time, pose.time), pose.pose});
+	return path;
+}
+
+std::unique_ptr<Carrier> carrierOf(RayScene& scene, const RecordOptions& options, RecordConfig& config)
+{
+	RecorderConfig& recorder = config.recorder;
+	recorder.start = mrpt::Clock::fromDouble(kStart_s);
+	if (options.path.empty())
+		return carrierOnRoute(scene, recorder.robot, config.simulated_robot, routeOf(scene.world(), options),
+		                      options.seed);
+	const std::vector<TimedPose> poses = pathOf(options);
+	recorder.start = poses.front().time;
+	return carrierOnPath(scene, recorder.robot, config.simulated_robot, fromStart(poses), options.seed);
+}
+
+int recordLog(const RecordOptions& options)
+{
+	RecordConfig config = recordConfigOf(options);
+	WorldPaths paths = usualWorldPaths();
+	paths.labels_file = options.labels;
+	const World world = loadWorld(options.world, paths);
+	for (const std::string& warning : world.warnings) warn(options.world + ": " + warning);
+	if (world.doors.empty()) warn(options.world + ": labels no doors, so the truth tells of none");
+	RayScene scene(world);
+	const auto carrier = carrierOf(scene, options, config);
+
+	RawlogWriter writer(options.out);
+	TruthLog truth =
+	    record(scene, *carrier, config.recorder, [&](const mrpt::obs::CObservation& o) { writer.write(o); });
+	writer.close();
+	truth.world = std::filesystem::path(options.world).filename().string();
+	truth.configuration = options.configuration;
+	truth.command = commandOf(options);
+	const std::filesystem::path truth_path = evaluation::truthPathOf(options.out);
+	evaluation::writeTruth(truth_path, truth);
+
+	for (const std::string& warning : carrier->warnings()) warn(warning);
+	std::cout << options.out << ": " << truth.frames.size() << " frames, "
+	          << (truth.frames.back().t - truth.frames.front().t) << " s; truth in " << truth_path.string() << '\n';
+	return kDone;
+}
+}  // namespace
+
+void addRecordCommand(CLI::App& app, std::function<int()>& command)
+{
+	auto options = std::make_shared<RecordOptions>();
+	CLI::App* record = app.add_subcommand("record", "Makes a rawlog and its truth of a way through a simulated world.");
+	addRecordOptions(*record, *options);
+	record->callback([options, &command] { command = [options] { return recordLog(*options); }; });
+}
+}  // namespace explore::app

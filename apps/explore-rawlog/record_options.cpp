@@ -1,0 +1,216 @@
+#include <common/app_config.h>
+#include <common/input_paths.h>
+#include <explore-rawlog/record_options.h>
+#include <explore/config/ini.h>
+#include <explore/config/number_text.h>
+#include <explore/core/errors.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+namespace explore::app
+{
+namespace
+{
+const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
+
+void addWayOptions(CLI::App& record, RecordOptions& options)
+{
+	record.add_option("--world", options.world, "The Gazebo SDF world to record in")->required()->type_name("F.sdf");
+	record
+	    .add_option("--labels", options.labels,
+	                "Doors, routes and more of the world; else its own and those of F.doors.json beside it")
+	    ->type_name("F.doors.json");
+	auto* way = record.add_option_group("way", "Where the robot goes");
+	way->add_option("--path", options.path,
+	                "Robot poses in the map, 't x y z qx qy qz qw' a line: the robot is moved exactly along them")
+	    ->type_name("P.tum");
+	way->add_option("--drive", options.drive,
+	                "A route of the world by its name: a robot with dynamics and limits drives (or flies) it")
+	    ->type_name("NAME");
+	way->require_option(1);
+	record.add_option("--seconds", options.seconds, "Stops after that time; else at the way's end")
+	    ->type_name("S")
+	    ->check(CLI::PositiveNumber.description(""));
+	record.add_option("--robot", options.robot, "ground (default) or mav; where the ini says the other, of usual size")
+	    ->type_name("KIND")
+	    ->transform(CLI::CheckedTransformer(kRobots, CLI::ignore_case).description(""));
+	record
+	    .add_option("--pose", options.mount,
+	                "The camera on the robot: metres, degrees; else 0.1,0,0.5,0,0,0, on a mav 0.15,0,0,0,0,0")
+	    ->type_name("X,Y,Z,YAW,PITCH,ROLL")
+	    ->delimiter(',')
+	    ->expected(6);
+}
+
+void addSensorOptions(CLI::App& record, RecordOptions& options)
+{
+	record.add_option("--sensor", options.sensor, "xtion (default), kinect or ideal")->type_name("NAME");
+	record.add_option("--size", options.width_px, "Width of the images, three quarters of it high; else 640")
+	    ->type_name("PX")
+	    ->check(CLI::Range(16, 4096).description(""));
+	record.add_option("--noise", options.noise, "none, kinect or speckle; else the sensor's own")->type_name("NAME");
+	record.add_option("--rate", options.rate_hz, "Depth images a second; else 10")
+	    ->type_name("HZ")
+	    ->check(CLI::Range(0.1, 1000.0).description(""));
+	record.add_flag("--no-color", options.no_color, "Depth alone, no colour images");
+}
+
+std::string quoted(const std::string& word)
+{
+	const bool plain =
+	    !word.empty() && std::all_of(word.begin(), word.end(),
+	                                 [](unsigned char c) { return std::isalnum(c) || std::strchr("_-+=.,/:@%", c); });
+	if (plain) return word;
+	std::string text = "'";
+	for (const char letter : word)
+		if (letter == '\'')
+			text.append("'\\''");
+		else
+			text.push_back(letter);
+	return text.append("'");
+}
+
+std::vector<std::string> overridesOf(const RecordOptions& options)
+{
+	std::vector<std::string> overrides;
+	const auto add = [&](const std::string& key, const std::string& value)
+	{
+		if (!value.empty()) overrides.push_back("simulated_camera." + key + "=" + value);
+	};
+	add("name", options.sensor);
+	if (options.width_px > 0) add("width_px", std::to_string(options.width_px));
+	add("noise", options.noise);
+	if (options.rate_hz > 0.0) add("rate", formatNumber(options.rate_hz));
+	add("color", options.no_color ? "false" : "true");
+	overrides.insert(overrides.end(), options.set.begin(), options.set.end());
+	return overrides;
+}
+
+/** All that an ini of explore-mrpt may hold, and what the simulator adds. */
+struct Fields
+{
+	AppConfig app;
+	simulation::DepthCameraConfig camera = simulation::depthCamera("xtion");
+	simulation::SimulatedRobotConfig simulated_robot;
+};
+
+/** Sets what file (where there is one) and overrides say. */
+void load(Fields& fields, const RecordOptions& options)
+{
+	const DescribeFields describe_fields = [&](FieldVisitor& visitor)
+	{
+		describe(visitor, fields.app);
+		simulation::describe(visitor, fields.camera);
+		simulation::describe(visitor, fields.simulated_robot);
+	};
+	if (options.ini.empty())
+		loadIniText("built-in defaults", "", overridesOf(options), describe_fields);
+	else
+		loadIni(findIni(options.ini, iniFolders()), overridesOf(options), describe_fields);
+}
+
+Fields fieldsOf(const RecordOptions& options)
+{
+	Fields first;
+	load(first, options);
+	const RobotKind named = first.app.explorer.robot.kind, kind = options.robot.value_or(named);
+	Fields fields;
+	RobotConfig& robot = fields.app.explorer.robot;
+	robot = robotDefaults(kind);
+	load(fields, options);
+	if (kind != named) robot = robotDefaults(kind);
+	robot.kind = kind;
+	return fields;
+}
+
+mrpt::poses::CPose3D mountOf(const RecordOptions& options, const CameraConfig& camera, RobotKind kind)
+{
+	const std::vector<double>& p = options.mount;
+	if (p.empty() && camera.mount == MountPolicy::ini)
+		return {camera.x_m, camera.y_m, camera.z_m, camera.yaw_rad, camera.pitch_rad, camera.roll_rad};
+	if (p.empty()) return simulation::usualMount(kind);
+	if (!std::all_of(p.begin(), p.end(), [](double value) { return std::abs(value) <= 1000.0; }))
+		throw ConfigError("--pose x,y,z,yaw,pitch,roll: metres and degrees of at most 1000 are needed");
+	constexpr double kDegree_rad = std::numbers::pi / 180;
+	return {p[0], p[1], p[2], p[3] * kDegree_rad, p[4] * kDegree_rad, p[5] * kDegree_rad};
+}
+}  // namespace
+
+void addRecordOptions(CLI::App& record, RecordOptions& options)
+{
+	addWayOptions(record, options);
+	addSensorOptions(record, options);
+	record.add_option("--seed", options.seed, "Of all noise")->type_name("N")->capture_default_str();
+	record
+	    .add_option(
+	        "--ini", options.ini,
+	        "[robot], [camera], [simulated_camera] and [simulated_robot] from a path, or a name in the ini/ folder")
+	    ->type_name("NAME");
+	record.add_option("--set", options.set, "Overrides one key of the ini; may be repeated")
+	    ->type_name("SECTION.KEY=VALUE")
+	    ->allow_extra_args(false);
+	record.add_option("--configuration", options.configuration, "Row of explore-eval's table that the log belongs to")
+	    ->type_name("TEXT");
+	record.add_option("--threads", options.threads, "Processor threads; the log does not depend on them")
+	    ->type_name("N")
+	    ->check(CLI::Range(1, 256).description(""));
+	record.add_option("--out", options.out, "The rawlog to write (gzipped); its truth goes beside it")
+	    ->required()
+	    ->type_name("LOG.rawlog");
+}
+
+std::string commandOf(const RecordOptions& options)
+{
+	std::string command = "explore-rawlog record";
+	const auto add = [&](const std::string& name, const std::string& value)
+	{
+		if (!value.empty()) command.append(" ").append(name).append(" ").append(quoted(value));
+	};
+	const auto addNumber = [&](const std::string& name, double value)
+	{
+		if (value != 0.0) add(name, formatNumber(value));
+	};
+	add("--world", options.world);
+	add("--labels", options.labels);
+	add("--path", options.path);
+	add("--drive", options.drive);
+	add("--ini", options.ini);
+	if (options.robot) add("--robot", *options.robot == RobotKind::ground ? "ground" : "mav");
+	std::string mount;
+	for (const double value : options.mount) mount.append(mount.empty() ? "" : ",").append(formatNumber(value));
+	add("--pose", mount);
+	add("--sensor", options.sensor);
+	addNumber("--size", options.width_px);
+	add("--noise", options.noise);
+	addNumber("--rate", options.rate_hz);
+	addNumber("--seconds", options.seconds);
+	if (options.no_color) command.append(" --no-color");
+	for (const std::string& setting : options.set) add("--set", setting);
+	add("--configuration", options.configuration);
+	add("--seed", std::to_string(options.seed));
+	add("--out", options.out);
+	return command;
+}
+
+RecordConfig recordConfigOf(const RecordOptions& options)
+{
+	const Fields fields = fieldsOf(options);
+	RecordConfig config;
+	config.simulated_robot = fields.simulated_robot;
+	config.recorder.camera = fields.camera;
+	config.recorder.camera.threads = std::max(options.threads, fields.camera.threads);
+	config.recorder.robot = fields.app.explorer.robot;
+	config.recorder.imu_rate_hz = fields.simulated_robot.imu.rate_hz;
+	config.recorder.robot_from_camera = mountOf(options, fields.app.source.camera, config.recorder.robot.kind);
+	config.recorder.seconds = options.seconds;
+	config.recorder.seed = options.seed;
+	return config;
+}
+}  // namespace explore::app

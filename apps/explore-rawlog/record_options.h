@@ -1,0 +1,45 @@
+// What explore-rawlog record is asked for, and what becomes of it.
+#pragma once
+
+#include <explore/simulation/recorder.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace explore::app
+{
+struct RecordOptions
+{
+	std::string world, labels, path, drive, out, ini, sensor, noise;
+	std::optional<RobotKind> robot;
+	std::vector<double> mount;  ///< x y z [m] yaw pitch roll [deg]; empty = the usual one
+	std::vector<std::string> set;
+	std::string configuration;
+	int width_px = 0;  ///< 0 = the sensor's own; likewise below
+	double rate_hz = 0, seconds = 0;
+	std::uint64_t seed = 1;
+	int threads = 1;
+	bool no_color = false;
+};
+
+void addRecordOptions(CLI::App& record, RecordOptions& options);
+
+/** The command line that makes the same log again. */
+std::string commandOf(const RecordOptions& options);
+
+struct RecordConfig
+{
+	simulation::RecorderConfig recorder;
+	simulation::SimulatedRobotConfig simulated_robot;
+};
+/** Defaults, then the ini, then the options, then --set; what comes later wins. Keys of [robot] that the ini leaves out
+ *  are those of a usual robot of the kind. Throws ConfigError. */
+RecordConfig recordConfigOf(const RecordOptions& options);
+}  // namespace explore::app

@@ -1,0 +1,107 @@
+#include <explore/evaluation/page.h>
+
+namespace explore::evaluation
+{
+namespace
+{
+constexpr std::size_t kMostBytes = 15'000'000, kReserve = 4096;  // the reserve is for what ends the page
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --line: #8884; }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 1180px; padding: 24px; }
+pre { font: 13px/1.45 ui-monospace, monospace; overflow-x: auto; border: 1px solid var(--line); padding: 12px; }
+h1 { font-size: 24px; } h2 { font-size: 20px; margin-top: 40px; }
+figure { margin: 24px 0; border-top: 1px solid var(--line); padding-top: 16px; }
+figcaption h3 { font-size: 16px; margin: 0; overflow-wrap: anywhere; }
+figcaption p, figcaption ul { margin: 4px 0 12px; }
+img { max-width: 100%; height: auto; display: block; }
+.key span { display: inline-block; margin-right: 20px; }
+.key i { display: inline-block; width: 18px; height: 5px; margin-right: 6px; vertical-align: middle; }
+)";
+
+std::string escaped(const std::string& text)
+{
+	std::string result;
+	for (const char c : text)
+	{
+		if (c == '&')
+			result += "&amp;";
+		else if (c == '<')
+			result += "&lt;";
+		else if (c == '>')
+			result += "&gt;";
+		else if (c == '"')
+			result += "&quot;";
+		else
+			result += c;
+	}
+	return result;
+}
+
+std::string figureText(const Evaluation& evaluation, const PagePicture& picture)
+{
+	const LogScore& log = evaluation.logs.at(picture.selected.log);
+	const WorstFrame& frame = picture.selected.frame;
+	std::string text = "<figure>\n<figcaption><h3>" + escaped(log.log) + ", frame " + std::to_string(frame.frame) +
+	                   ", scene " + std::to_string(frame.scene) + "</h3>\n<p>";
+	text += escaped(log.family.empty() ? log.world : log.family) + ", " + escaped(log.platform) + ", noise " +
+	        escaped(log.noise) + "</p>\n<ul>\n";
+	for (const std::string& remark : frame.remarks) text += "<li>" + escaped(remark) + "</li>\n";
+	text += "</ul></figcaption>\n<img alt=\"depth image and plan of frame " + std::to_string(frame.frame) +
+	        "\" src=\"data:image/jpeg;base64,";
+	return text.append(base64(picture.jpeg)).append("\">\n</figure>\n");
+}
+
+std::string setupText(const EvalSetup& setup)
+{
+	std::string text = "explore-eval " + setup.version + ", configuration ";
+	text += setup.ini.empty() ? "built-in defaults" : setup.ini;
+	for (const std::string& item : setup.set) text += ", " + item;
+	return text + ", robot " + (setup.robot.empty() ? "of each log's truth" : setup.robot);
+}
+}  // namespace
+
+std::string base64(const std::string& bytes)
+{
+	static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+	std::string text;
+	text.reserve((bytes.size() + 2) / 3 * 4);
+	for (std::size_t i = 0; i < bytes.size(); i += 3)
+	{
+		std::uint32_t group = 0;
+		for (std::size_t j = 0; j < 3; ++j)
+			group = (group << 8U) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+		for (std::size_t j = 0; j < 4; ++j)
+			text += i + j <= bytes.size() ? kDigits[(group >> (18U - 6U * j)) & 63U] : '=';
+	}
+	return text;
+}
+
+std::string pageText(const Evaluation& evaluation, const std::string& tables, const std::vector<PagePicture>& pictures)
+{
+	std::string text =
+	    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+	    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+	    "<title>explore-eval</title>\n<style>";
+	text += kStyle;
+	text += "</style>\n</head>\n<body>\n<h1>Doors, directions and headings against the truth</h1>\n<p>" +
+	        escaped(setupText(evaluation.setup)) + "</p>\n<pre>" + escaped(tables) + "</pre>\n";
+	text +=
+	    "<h2>The worst frames</h2>\n<p class=\"key\"><span><i style=\"background:#f05446\"></i>reported</span>"
+	    "<span><i style=\"background:#40e0d0\"></i>true, has to be found</span>"
+	    "<span><i style=\"background:#a78bfa\"></i>true, counts neither way</span>"
+	    "<span><i style=\"background:#8089a0\"></i>true, hidden or not to be passed</span></p>\n";
+	std::size_t shown = 0;
+	for (const PagePicture& picture : pictures)
+	{
+		const std::string figure = figureText(evaluation, picture);
+		if (text.size() + figure.size() + kReserve > kMostBytes) break;
+		text += figure;
+		++shown;
+	}
+	if (pictures.empty()) text += "<p>No frame went wrong.</p>\n";
+	if (shown < pictures.size())
+		text += "<p>" + std::to_string(pictures.size() - shown) + " more are in the folder pictures.</p>\n";
+	return text + "</body>\n</html>\n";
+}
+}  // namespace explore::evaluation

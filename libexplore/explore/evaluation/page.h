@@ -1,0 +1,24 @@
+// index.html: the tables and the worst frames, in one file that needs no other.
+#pragma once
+
+#include <explore/evaluation/eval_file.h>
+#include <explore/evaluation/worst_frames.h>
+
+#include <string>
+#include <vector>
+
+namespace explore::evaluation
+{
+/** A selected frame with its picture. */
+struct PagePicture
+{
+	Selected selected;
+	std::string jpeg;  ///< the file's bytes
+};
+
+/** `pictures`, the worst first, are shown as long as the page stays below 15 MB. */
+std::string pageText(const Evaluation& evaluation, const std::string& tables, const std::vector<PagePicture>& pictures);
+
+/** RFC 4648, with padding. */
+std::string base64(const std::string& bytes);
+}  // namespace explore::evaluation

@@ -1,0 +1,61 @@
+// A simulated depth camera: what a Kinect, an Xtion or an ideal sensor would see of a world.
+#pragma once
+
+#include <explore/config/fields.h>
+#include <explore/core/depth_frame.h>
+#include <explore/simulation/ray_scene.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace explore::simulation
+{
+enum class NoiseModel
+{
+	none,     ///< exact depth within the range, of every surface that returns light
+	kinect,   ///< axial, lateral, disparity steps, edge dropout, projector shadow (Nguyen 2012)
+	speckle,  ///< a projected speckle pattern, rendered and matched block by block
+};
+
+[[nodiscard]] std::string_view nameOf(NoiseModel noise);
+
+struct DepthCameraConfig
+{
+	std::string name = "xtion";
+	CameraIntrinsics intrinsics;
+	double min_range_m = 0.5, max_range_m = 8.0;
+	double rate_hz = 10.0;
+	double baseline_m = 0.075;  ///< the projector is that far to the right of the camera: shadows fall to the left
+	double disparity_step_px = 0.125;  ///< sub-pixel resolution of the matcher, in pixels of this image
+	NoiseModel noise = NoiseModel::kinect;
+	double noise_scale = 1.0;       ///< factor on the axial and lateral noise
+	double lateral_noise_px = 0.5;  ///< sigma of the shift of a pixel's line of sight, in pixels of this image
+	double edge_dropout = 0.5;      ///< share of the pixels along depth edges that lose their return
+	double hole_share = 0.0;        ///< further pixels that lose their return, in blobs, 0–1
+	double glass_dropout = 0.4;     ///< share of a pane's pixels without a return at normal incidence, at least 0.2
+	bool color = false;             ///< render a flat-shaded picture too
+	int threads = 1;
+};
+
+/** The camera called "xtion", "kinect" or "ideal", `width_px` × ¾ `width_px`. The devices match disparities in a VGA
+ *  image: in a smaller picture their steps and shifts are as much smaller in pixels, and the same in metres. Throws
+ *  ConfigError for another name. */
+DepthCameraConfig depthCamera(std::string_view name, int width_px = 640);
+
+/** [simulated_camera]. The name comes first: another name than before, and then another width, fill in the values of
+ *  that camera, which the keys after them change. */
+void describe(FieldVisitor& fields, DepthCameraConfig& config);
+
+struct CameraShot
+{
+	DepthImage depth;
+	std::vector<std::uint8_t> rgb;  ///< row-major, 3 bytes a pixel; empty without color
+};
+
+/** One shot from map_from_camera (camera axes: x forward, y left, z up). The same arguments give the same bytes,
+ *  whatever the number of threads; `seed` is that of this shot alone. */
+CameraShot takeShot(const RayScene& scene, const DepthCameraConfig& config, const Eigen::Isometry3d& map_from_camera,
+                    std::uint64_t seed);
+}  // namespace explore::simulation
