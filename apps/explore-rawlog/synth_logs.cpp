@@ -2,7 +2,7 @@
 #include <explore-rawlog/synth_logs.h>
 #include <explore/core/errors.h>
 #include <explore/evaluation/truth_file.h>
-#include <explore/simulation/scene_log.h>
+#include <explore/simulation/scenes/scene_log.h>
 #include <explore/sources/rawlog_writer.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <explore/simulation/depth_camera.h>
-#include <explore/simulation/scene_families.h>
+#include <explore/simulation/scenes/scene_families.h>
 
 #include <filesystem>
 #include <functional>

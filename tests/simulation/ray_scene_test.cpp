@@ -356,6 +356,27 @@ TEST(RayScene, LongTrianglesAreTouchedFarFromTheirCorners)
 	EXPECT_NEAR(scene.clearance({400.0, 300.0, 0.37}, 1.0), 0.37, 1e-6);
 }
 
+TEST(RayScene, RaysThatAreNotFiniteHitNothing)
+{
+	const World world = boxAndSphere();
+	const RayScene scene(world);
+	constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kFar = std::numeric_limits<float>::infinity();
+	const std::vector<Eigen::Vector3f> directions{{1, 0, 0}, {kNan, 0, 0}, {1, kFar, 0}, {-1, 0, 0}};
+	std::vector<RayHit> hits(4);
+	scene.castImage({0, 0, 0}, directions, 4, 1, 10.0, hits);
+	EXPECT_NEAR(hits[0].distance, 2.5, 1e-9);
+	EXPECT_EQ(hits[1].material, RayScene::kNoHit);
+	EXPECT_EQ(hits[2].material, RayScene::kNoHit);
+	EXPECT_NE(hits[3].material, RayScene::kNoHit);
+	EXPECT_FALSE(scene.cast({0, 0, 0}, {static_cast<double>(kNan), 0, 0}, 10.0));
+	EXPECT_FALSE(scene.cast({static_cast<double>(kNan), 0, 0}, {1, 0, 0}, 10.0));
+	EXPECT_THROW(scene.castImage({static_cast<double>(kNan), 0, 0}, directions, 4, 1, 10.0, hits),
+	             std::invalid_argument);
+	std::vector<std::uint8_t> occluded(4);
+	scene.occludedImage({0, 0, 0}, directions, 4, 1, 0.005, occluded);
+	EXPECT_EQ(occluded, std::vector<std::uint8_t>(4, 0));
+}
+
 TEST(RayScene, BrokenWorldsAreRefusedAndBrokenCornersLeftOut)
 {
 	World world = boxAndSphere();

@@ -1,5 +1,5 @@
 // Clear widths of doorways with leaves, against a body that is moved through in every way.
-#include <explore/simulation/scene_doors.h>
+#include <explore/simulation/scenes/scene_doors.h>
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // Logs of random scenes: their observations, times and truth.
 #include <explore/core/geometry.h>
-#include <explore/simulation/scene_log.h>
+#include <explore/simulation/scenes/scene_log.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationIMU.h>

@@ -1,6 +1,6 @@
 // Floor-plan geometry against slow obvious references.
 #include <explore/simulation/random.h>
-#include <explore/simulation/scene_plan.h>
+#include <explore/simulation/scenes/scene_plan.h>
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <explore/simulation/depth_camera.h>
-#include <explore/simulation/scene.h>
+#include <explore/simulation/scenes/scene.h>
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 #include <explore/core/errors.h>
-#include <explore/simulation/xml.h>
+#include <explore/simulation/sdf/xml.h>
 #include <gmock/gmock.h>
 
 #include <random>

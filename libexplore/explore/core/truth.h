@@ -7,6 +7,7 @@
 #include <mrpt/poses/CPose3D.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,10 +35,11 @@ struct TruthDoor
 	std::optional<double> height_m;  ///< no value: no lintel
 	double clear_width_m = 0;        ///< what leaf and obstacles leave
 	Verdict verdict = Verdict::open;
-	bool passable = true;             ///< the robot fits through now
+	bool passable = true;  ///< the robot fits through now
 	Visibility visibility = Visibility::hidden;
-	double visible_share = 0;         ///< of the opening's rays: in the image and not occluded, 0–1
-	double jamb_share[2] = {0, 0};    ///< of each jamb's height up to 2 m: in the image and not occluded; left, right
+	double visible_share = 0;  ///< of the opening's rays: in the image and not occluded, 0–1
+	std::array<double, 2>
+	    jamb_share{};  ///< of each jamb's height up to 2 m: in the image and not occluded; left, right
 	bool lintel_in_view = false;
 };
 
@@ -81,7 +83,7 @@ struct TruthFrame
 	int scene = 0;          ///< frames of one scene belong together; nothing is carried from one scene to the next
 	mrpt::poses::CPose3D map_from_robot;
 	std::optional<mrpt::poses::CPose3D> robot_from_camera;  ///< no value: that of the log
-	std::vector<TruthDoor> doors;  ///< those in front of the camera, hidden ones included
+	std::vector<TruthDoor> doors;                           ///< those in front of the camera, hidden ones included
 	TruthCorridor corridor;
 	std::vector<TruthObstacle> obstacles;
 	std::optional<TruthFreePaths> free_paths;

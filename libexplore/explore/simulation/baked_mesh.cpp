@@ -66,7 +66,8 @@ ExactPlane planeOf(const std::array<Eigen::Vector3d, 3>& corners)
 
 EmbreeHandle<RTCDevice> makeEmbreeDevice()
 {
-	EmbreeHandle<RTCDevice> device(rtcNewDevice("threads=1,set_affinity=0"));
+	// One instruction set wherever there is AVX2: others round differently, and logs would not be the same bit for bit.
+	EmbreeHandle<RTCDevice> device(rtcNewDevice("threads=1,set_affinity=0,max_isa=avx2"));
 	if (!device) throw std::runtime_error("Embree does not start: error " + std::to_string(rtcGetDeviceError(nullptr)));
 	return device;
 }

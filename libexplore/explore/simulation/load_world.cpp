@@ -1,11 +1,11 @@
 #include <explore/core/errors.h>
-#include <explore/simulation/label_json.h>
 #include <explore/simulation/load_world.h>
-#include <explore/simulation/resources.h>
-#include <explore/simulation/sdf_tree.h>
-#include <explore/simulation/world_builder.h>
-#include <explore/simulation/world_cache.h>
-#include <explore/simulation/world_labels.h>
+#include <explore/simulation/sdf/label_json.h>
+#include <explore/simulation/sdf/resources.h>
+#include <explore/simulation/sdf/sdf_tree.h>
+#include <explore/simulation/sdf/world_builder.h>
+#include <explore/simulation/sdf/world_cache.h>
+#include <explore/simulation/sdf/world_labels.h>
 
 #include <algorithm>
 #include <cstdlib>

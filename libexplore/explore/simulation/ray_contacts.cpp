@@ -38,6 +38,7 @@ bool visitTriangle(RTCPointQueryFunctionArguments* arguments)
 
 void visitNear(const BakedMesh& mesh, const Eigen::Vector3d& center, double radius_m, const Visit& visit)
 {
+	if (!center.cast<float>().allFinite()) return;
 	PointSearch search{mesh, visit};
 	RTCPointQuery query{};
 	query.x = static_cast<float>(center.x());

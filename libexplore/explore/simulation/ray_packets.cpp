@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace explore::simulation
 {
@@ -107,8 +108,26 @@ void aimAt(const TileVectors& to, float margin, RTCRay16& ray, TileMask& valid)
 		ray.dir_x[i] = usable ? dx : 1.0F;
 		ray.dir_y[i] = usable ? dy : 0.0F;
 		ray.dir_z[i] = usable ? dz : 0.0F;
-		ray.tnear[i] = usable ? margin / length : 0.0F;
+		ray.tnear[i] = usable ? margin / length : 1.0F;
 		ray.tfar[i] = usable ? 1.0F - margin / length : 0.0F;
+		valid[i] = usable ? -1 : 0;
+	}
+}
+
+/** Aims the lanes; takes away those without a finite direction. Embree does not heed the mask on every processor, but a
+ *  ray that ends before it begins. */
+void aimAlong(const TileVectors& directions, float far, RTCRay16& ray, TileMask& valid)
+{
+	for (int i = 0; i < kLanes; ++i)
+	{
+		const float x = directions.x[i], y = directions.y[i], z = directions.z[i];
+		const bool usable =
+		    valid[i] != 0 && std::abs(x) + std::abs(y) + std::abs(z) <= std::numeric_limits<float>::max();
+		ray.dir_x[i] = usable ? x : 1.0F;
+		ray.dir_y[i] = usable ? y : 0.0F;
+		ray.dir_z[i] = usable ? z : 0.0F;
+		ray.tnear[i] = usable ? 0.0F : 1.0F;
+		ray.tfar[i] = usable ? far : 0.0F;
 		valid[i] = usable ? -1 : 0;
 	}
 }
@@ -129,6 +148,7 @@ void findDark(RTCScene scene, RTCRay16& ray, TileMask& left, TileMask& dark)
 		{
 			dark[i] = -1;
 			left[i] = 0;
+			ray.tnear[i] = 1.0F;
 			ray.tfar[i] = 0.0F;
 		}
 }
@@ -145,6 +165,7 @@ TileMask tileInside(int u, int v, int width, int height)
 TileTracer::TileTracer(const RayScene& scene, const Eigen::Vector3d& origin, Panes panes)
     : m_scene(scene), m_origin(origin), m_panes(panes)
 {
+	if (!origin.allFinite()) throw std::invalid_argument("rays: their origin is not finite");
 }
 
 void TileTracer::cast(const TileVectors& directions, const TileMask& valid, double max_distance, TileHits& hits) const
@@ -153,17 +174,14 @@ void TileTracer::cast(const TileVectors& directions, const TileMask& valid, doub
 	const ScenePair scenes = impl.scenes(m_panes);
 	RTCRayHit16 query;
 	startRays(query.ray, m_origin);
-	if (!any(valid)) return static_cast<void>(std::fill_n(hits.material, kLanes, RayScene::kNoHit));
-	std::copy_n(directions.x, kLanes, query.ray.dir_x);
-	std::copy_n(directions.y, kLanes, query.ray.dir_y);
-	std::copy_n(directions.z, kLanes, query.ray.dir_z);
-	std::fill_n(query.ray.tnear, kLanes, 0.0F);
-	std::fill_n(query.ray.tfar, kLanes, static_cast<float>(max_distance));
+	TileMask usable = valid;
+	aimAlong(directions, static_cast<float>(max_distance), query.ray, usable);
+	if (!any(usable)) return static_cast<void>(std::fill_n(hits.material, kLanes, RayScene::kNoHit));
 	std::fill_n(query.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
 	std::fill_n(query.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
 	RTCIntersectContext context = coherentContext();
-	rtcIntersect16(valid.lane.data(), scenes.still, &context, &query);
-	if (scenes.moving) rtcIntersect16(valid.lane.data(), scenes.moving, &context, &query);
+	rtcIntersect16(usable.lane.data(), scenes.still, &context, &query);
+	if (scenes.moving) rtcIntersect16(usable.lane.data(), scenes.moving, &context, &query);
 
 	LanePlanes planes;
 	const bool any_moving = lookUp(impl, query, planes, hits);

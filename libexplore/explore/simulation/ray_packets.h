@@ -36,13 +36,14 @@ struct alignas(64) TileHits
 /** Which lanes of the tile whose first pixel is in column `u`, row `v` lie in the image. */
 TileMask tileInside(int u, int v, int width, int height);
 
-/** Traces rays that share one end. `scene` outlives it. */
+/** Traces rays that share one end. `scene` outlives it. The constructor throws std::invalid_argument for an origin that
+ *  is not finite. */
 class TileTracer
 {
 public:
 	TileTracer(const RayScene& scene, const Eigen::Vector3d& origin, Panes panes);
 
-	/** As RayScene::cast() for the lanes of `valid`. All directions are finite and not zero. */
+	/** As RayScene::cast() for the lanes of `valid`; a direction that is not finite hits nothing. */
 	void cast(const TileVectors& directions, const TileMask& valid, double max_distance, TileHits& hits) const;
 	/** As RayScene::occluded() between the origin and the points `to`, for the lanes of `valid` (not finite: false). */
 	[[nodiscard]] TileMask occluded(const TileVectors& to, const TileMask& valid, double margin_m) const;

@@ -52,6 +52,12 @@ RTCRay rayAlong(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
 	return ray;
 }
 
+/** Embree may abort or never return when asked about numbers that are not finite as floats. */
+bool finite(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+	return a.cast<float>().allFinite() && b.cast<float>().allFinite();
+}
+
 RayHit hitOn(const Facet& facet, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double distance)
 {
 	const ExactPlane& plane = facet.plane;
@@ -158,6 +164,7 @@ std::vector<Eigen::Isometry3d> RayScene::placement() const
 std::optional<RayHit> RayScene::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                      double max_distance) const
 {
+	if (!finite(origin, direction)) return std::nullopt;
 	RTCRayHit query{rayAlong(origin, direction, 0.0, max_distance), {}};
 	query.hit.geomID = query.hit.instID[0] = kNone;
 	RTCIntersectContext context;
@@ -173,6 +180,7 @@ bool RayScene::occluded(const Eigen::Vector3d& from, const Eigen::Vector3d& to, 
 {
 	const double length = (to - from).norm();
 	if (!(length > 2.0 * margin_m)) return false;
+	if (!finite(from, to)) return false;
 	const double margin = margin_m / length;
 	RTCRay ray = rayAlong(from, to - from, margin, 1.0 - margin);
 	RTCIntersectContext context;

@@ -12,7 +12,7 @@ namespace explore::simulation
 namespace
 {
 constexpr float kAmbient = 24.0F;          ///< counts without the projector
-constexpr float kDotAtOneMetre = 1400.0F;   ///< counts of a full dot on a white surface seen frontally
+constexpr float kDotAtOneMetre = 1400.0F;  ///< counts of a full dot on a white surface seen frontally
 constexpr float kBrightest = 1023.0F;      ///< a converter of ten bits
 constexpr float kReadNoise = 1.6F;         ///< counts
 constexpr float kShotNoise = 0.35F;        ///< variance a count
