@@ -1,9 +1,11 @@
-# Regenerates a recorded log (program RECORD, into MADE) and compares it with the one that is kept (KEPT).
-execute_process(COMMAND ${RECORD} ${MADE} RESULT_VARIABLE failed)
+# Makes a recorded log again (COMMAND, in FOLDER) and compares its files (FILES in FOLDER) with those that are kept in KEPT.
+execute_process(COMMAND ${COMMAND} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE failed)
 if(failed)
-  message(FATAL_ERROR "${RECORD} failed")
+  message(FATAL_ERROR "failed: ${COMMAND}")
 endif()
-execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${MADE} ${KEPT} RESULT_VARIABLE differ)
-if(differ)
-  message(FATAL_ERROR "${KEPT} is not what ${RECORD} writes now: regenerate it, and say why in rawlogs/README.md")
-endif()
+foreach(file ${FILES})
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${FOLDER}/${file} ${KEPT}/${file} RESULT_VARIABLE differ)
+  if(differ)
+    message(FATAL_ERROR "${KEPT}/${file} is not what its command makes now: make it again, and say why in CHANGELOG.md")
+  endif()
+endforeach()

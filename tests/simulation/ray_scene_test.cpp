@@ -356,6 +356,27 @@ TEST(RayScene, LongTrianglesAreTouchedFarFromTheirCorners)
 	EXPECT_NEAR(scene.clearance({400.0, 300.0, 0.37}, 1.0), 0.37, 1e-6);
 }
 
+TEST(RayScene, ProcessorsDifferInRaysAlongEdgesOnly)
+{
+	std::mt19937 random(9);
+	const World world = soupWorld(random, 300, 2);
+	const RayScene everywhere(world), here(world, SameRays::on_this_processor);
+	std::vector<Eigen::Vector3f> directions;
+	for (int i = 0; i < 200 * 200; ++i)
+		directions.emplace_back(1.0F, 1.0F - static_cast<float>(i % 200) / 100.0F,
+		                        1.0F - static_cast<float>(i / 200) / 100.0F);
+	std::vector<RayHit> first(directions.size()), second(directions.size());
+	everywhere.castImage({-4, 0, 0}, directions, 200, 200, 10.0, first);
+	here.castImage({-4, 0, 0}, directions, 200, 200, 10.0, second);
+	int differences = 0;
+	for (std::size_t i = 0; i < first.size(); ++i)
+		differences += first[i].material != second[i].material ||
+		                       (first[i].material != RayScene::kNoHit && first[i].distance != second[i].distance)
+		                   ? 1
+		                   : 0;
+	EXPECT_LE(differences, 4);
+}
+
 TEST(RayScene, RaysThatAreNotFiniteHitNothing)
 {
 	const World world = boxAndSphere();

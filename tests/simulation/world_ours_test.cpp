@@ -167,6 +167,17 @@ TEST_P(OurWorldTest, SpawnsAndRoutesKeepTheRobotsClearance)
 		}
 }
 
+TEST_P(OurWorldTest, NobodyStandsWhereARobotStarts)
+{
+	// The larger robot, the MAV, and the clearance of doc/definitions.md.
+	constexpr double kRadius_m = 0.30, kClearance_m = 0.05;
+	for (const Spawn& spawn : m_world.spawns)
+		for (const MovingBody& body : m_world.moving)
+			EXPECT_GE((body.track.front().position_in_map - spawn.position_in_map.head<2>()).norm(),
+			          kRadius_m + body.radius_m + kClearance_m)
+			    << body.name << " at " << spawn.name;
+}
+
 TEST_P(OurWorldTest, PeopleWalkFreely)
 {
 	for (const MovingBody& body : m_world.moving)

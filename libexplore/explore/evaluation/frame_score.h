@@ -24,7 +24,7 @@ struct ScoreInput
 struct Mistake
 {
 	DoorPair pair;
-	Cause cause;
+	Cause cause{};
 };
 
 struct FrameScore

@@ -64,10 +64,13 @@ ExactPlane planeOf(const std::array<Eigen::Vector3d, 3>& corners)
 }
 }  // namespace
 
-EmbreeHandle<RTCDevice> makeEmbreeDevice()
+EmbreeHandle<RTCDevice> makeEmbreeDevice(SameRays same)
 {
-	// One instruction set wherever there is AVX2: others round differently, and logs would not be the same bit for bit.
-	EmbreeHandle<RTCDevice> device(rtcNewDevice("threads=1,set_affinity=0,max_isa=avx2"));
+	// One instruction set wherever there is AVX2: others round differently, and rays along an edge would fall to its
+	// other side.
+	const bool everywhere = same == SameRays::on_every_processor;
+	EmbreeHandle<RTCDevice> device(
+	    rtcNewDevice(everywhere ? "threads=1,set_affinity=0,max_isa=avx2" : "threads=1,set_affinity=0"));
 	if (!device) throw std::runtime_error("Embree does not start: error " + std::to_string(rtcGetDeviceError(nullptr)));
 	return device;
 }

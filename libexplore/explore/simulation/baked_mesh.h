@@ -2,7 +2,7 @@
 #pragma once
 
 #include <embree3/rtcore.h>
-#include <explore/simulation/world.h>
+#include <explore/simulation/ray_scene.h>
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ using EmbreeHandle = std::unique_ptr<std::remove_pointer_t<Pointer>, EmbreeRelea
 
 /** One build thread, so that the tree and with it every result is the same on each run. Throws std::runtime_error when
  *  Embree does not start. */
-EmbreeHandle<RTCDevice> makeEmbreeDevice();
+EmbreeHandle<RTCDevice> makeEmbreeDevice(SameRays same);
 EmbreeHandle<RTCScene> makeEmbreeScene(RTCDevice device);
 
 /** Points x with normal · x = offset; `normal` is a unit vector, zero for a degenerate triangle. */

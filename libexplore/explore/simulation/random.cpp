@@ -41,7 +41,7 @@ double Random::uniform(double low, double high)
 
 int Random::integer(int low, int high)
 {
-	const auto count = static_cast<std::uint64_t>(high - low + 1);
+	const auto count = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
 	return low + static_cast<int>(next() % count);
 }
 

@@ -70,9 +70,9 @@ RayHit hitOn(const Facet& facet, const Eigen::Vector3d& origin, const Eigen::Vec
 }
 }  // namespace
 
-RayScene::Impl::Impl(const World& the_world)
+RayScene::Impl::Impl(const World& the_world, SameRays same)
     : world(the_world),
-      device(makeEmbreeDevice()),
+      device(makeEmbreeDevice(same)),
       still(bake(device.get(), world.mesh, materialsOfTriangles(world), world.materials)),
       moving_scene(makeEmbreeScene(device.get())),
       moving_opaque_scene(makeEmbreeScene(device.get()))
@@ -136,7 +136,7 @@ RayHit RayScene::Impl::resolve(unsigned instance, unsigned geometry, unsigned pr
 	return hit;
 }
 
-RayScene::RayScene(const World& world) : m_impl(std::make_unique<Impl>(world)) {}
+RayScene::RayScene(const World& world, SameRays same) : m_impl(std::make_unique<Impl>(world, same)) {}
 
 RayScene::~RayScene() = default;
 

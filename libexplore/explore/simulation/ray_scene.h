@@ -27,13 +27,20 @@ enum class Panes
 	pass,
 };
 
+/** Which processors agree on every ray to the last bit. */
+enum class SameRays
+{
+	on_every_processor,  ///< with AVX2 at least: what recorded logs need
+	on_this_processor,   ///< all of its vector instructions, a third faster where there is AVX-512
+};
+
 /** `world` outlives it and is not changed. Surfaces count from both sides. Queries are const and may run on several
  *  threads; place() may not run beside them. The constructor throws std::invalid_argument for a world whose indices
  *  point nowhere; triangles with a corner that is not finite are left out. */
 class RayScene
 {
 public:
-	explicit RayScene(const World& world);
+	explicit RayScene(const World& world, SameRays same = SameRays::on_every_processor);
 	~RayScene();
 	RayScene(const RayScene&) = delete;
 	RayScene& operator=(const RayScene&) = delete;

@@ -38,7 +38,7 @@ struct ScenePair
 
 struct RayScene::Impl
 {
-	explicit Impl(const World& the_world);
+	Impl(const World& the_world, SameRays same);
 
 	void place(std::size_t index, const Eigen::Isometry3d& map_from_body);
 	void commit();

@@ -44,8 +44,8 @@ void contrastRow(const std::vector<std::uint16_t>& image, std::size_t width, std
 		const float relative =
 		    (static_cast<float>(image[row * width + u]) - mean) * kLevelsPerSigma / std::max(sigma, 0.1F);
 		out.sigma[row * width + u] = sigma;
-		out.level[row * width + u] =
-		    static_cast<std::uint8_t>(std::clamp(relative, -1.0F * kLevels, 1.0F * kLevels) + kLevels + 0.5F);
+		out.level[row * width + u] = static_cast<std::uint8_t>(
+		    std::floor(std::clamp(relative, -1.0F * kLevels, 1.0F * kLevels) + kLevels + 0.5F));
 	}
 }
 }  // namespace

@@ -160,7 +160,7 @@ void resolveFrames(XmlNode& world, Warnings& warnings)
 	const auto concerned = [&named](const XmlNode& child)
 	{ return child.name == "model" && (usesFrames(child) || named.contains(child.attribute("name"))); };
 	if (std::none_of(world.children.begin(), world.children.end(), concerned)) return;
-	std::string skeleton = "<?xml version=\"1.0\"?><sdf version=\"1.9\"><world name=\"explore\">";
+	std::string skeleton = R"(<?xml version="1.0"?><sdf version="1.9"><world name="explore">)";
 	for (const XmlNode& child : world.children)
 		if (concerned(child) || child.name == "frame") writeSkeleton(skeleton, child);
 	skeleton += "</world></sdf>";
