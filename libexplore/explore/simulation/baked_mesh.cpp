@@ -10,20 +10,20 @@ namespace explore::simulation
 {
 namespace
 {
-void checkIndices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& material, std::size_t materials)
+void checkIndices(const TriangleMesh& mesh, const std::vector<Belonging>& belongings, std::size_t materials)
 {
-	if (material.size() != mesh.triangles.size())
+	if (belongings.size() != mesh.triangles.size())
 		throw std::invalid_argument("world: " + std::to_string(mesh.triangles.size()) + " triangles but " +
-		                            std::to_string(material.size()) + " with a material");
+		                            std::to_string(belongings.size()) + " with a material");
 	for (const auto& triangle : mesh.triangles)
 		for (const std::uint32_t corner : triangle)
 			if (corner >= mesh.vertices.size())
 				throw std::invalid_argument("world: a triangle names vertex " + std::to_string(corner) + " of " +
 				                            std::to_string(mesh.vertices.size()));
-	for (const std::uint32_t index : material)
-		if (index >= materials)
-			throw std::invalid_argument("world: a triangle names material " + std::to_string(index) + " of " +
-			                            std::to_string(materials));
+	for (const Belonging& belonging : belongings)
+		if (belonging.material >= materials)
+			throw std::invalid_argument("world: a triangle names material " + std::to_string(belonging.material) +
+			                            " of " + std::to_string(materials));
 }
 
 /** Embree reads 16 bytes a vertex. */
@@ -88,16 +88,17 @@ std::array<Eigen::Vector3d, 3> BakedMesh::corners(std::uint32_t triangle) const
 	return {mesh->vertices[a].cast<double>(), mesh->vertices[b].cast<double>(), mesh->vertices[c].cast<double>()};
 }
 
-BakedMesh bake(RTCDevice device, const TriangleMesh& mesh, const std::vector<std::uint32_t>& material,
+BakedMesh bake(RTCDevice device, const TriangleMesh& mesh, const std::vector<Belonging>& belongings,
                const std::vector<Material>& materials)
 {
-	checkIndices(mesh, material, materials.size());
+	checkIndices(mesh, belongings, materials.size());
 	BakedMesh baked;
 	baked.mesh = &mesh;
 	for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
 	{
-		const bool pane = materials[material[i]].surface == Surface::glass;
-		baked.facets[pane ? 1 : 0].push_back({planeOf(baked.corners(i)), i, material[i]});
+		const bool pane = materials[belongings[i].material].surface == Surface::glass;
+		baked.facets[pane ? 1 : 0].push_back(
+		    {planeOf(baked.corners(i)), i, belongings[i].material, belongings[i].body});
 	}
 	const bool has_panes = !baked.facets[1].empty();
 	baked.scene = makeEmbreeScene(device);

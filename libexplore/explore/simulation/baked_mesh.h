@@ -38,7 +38,7 @@ struct ExactPlane
 struct Facet
 {
 	ExactPlane plane;
-	std::uint32_t triangle = 0, material = 0;
+	std::uint32_t triangle = 0, material = 0, body = 0;
 };
 
 /** Opaque triangles are geometry 0 and panes of glass geometry 1 of `scene`. */
@@ -56,7 +56,13 @@ struct BakedMesh
 	[[nodiscard]] std::array<Eigen::Vector3d, 3> corners(std::uint32_t triangle) const;
 };
 
-/** `material` has one index into `materials` a triangle. `mesh` outlives the result. */
-BakedMesh bake(RTCDevice device, const TriangleMesh& mesh, const std::vector<std::uint32_t>& material,
+/** What a triangle belongs to: indices into World::materials and World::bodies. */
+struct Belonging
+{
+	std::uint32_t material = 0, body = 0;
+};
+
+/** `belongings` has one element a triangle. `mesh` outlives the result. */
+BakedMesh bake(RTCDevice device, const TriangleMesh& mesh, const std::vector<Belonging>& belongings,
                const std::vector<Material>& materials);
 }  // namespace explore::simulation

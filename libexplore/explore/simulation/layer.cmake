@@ -7,7 +7,7 @@ explore_layer(simulation
           sdf/text_reader.cpp sdf/xml.cpp sdf/resources.cpp sdf/warnings.cpp sdf/mesh_import.cpp
           sdf/sdf_values.cpp sdf/sdf_tree.cpp sdf/sdf_frames.cpp sdf/sdf_state.cpp sdf/sdf_actor.cpp sdf/sdf_geometry.cpp sdf/sdf_vocabulary.cpp
           ray_scene.cpp ray_packets.cpp ray_images.cpp ray_contacts.cpp baked_mesh.cpp triangle_distance.cpp
-          depth_camera.cpp sensor_view.cpp projector_shadow.cpp sight.cpp pane_optics.cpp noise_random.cpp noise_kinect.cpp noise_speckle.cpp
+          depth_camera.cpp sensor_view.cpp projector_shadow.cpp sight.cpp pane_optics.cpp noise_random.cpp noise_samples.cpp noise_kinect.cpp noise_speckle.cpp
           speckle_pattern.cpp speckle_image.cpp speckle_contrast.cpp speckle_match.cpp
           robot_body.cpp swept_body.cpp free_paths.cpp truth_view.cpp door_visibility.cpp door_passage.cpp corridor_truth.cpp
           truth_rays.cpp log_maker.cpp

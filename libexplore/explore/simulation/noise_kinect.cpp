@@ -1,29 +1,18 @@
 #include <explore/simulation/noise_kinect.h>
 #include <explore/simulation/noise_random.h>
+#include <explore/simulation/noise_samples.h>
 #include <explore/simulation/parallel_rows.h>
 #include <explore/simulation/vector_code.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace explore::simulation
 {
 namespace
 {
-constexpr float kHalfPi = std::numbers::pi_v<float> / 2;
-constexpr float kSteepest_rad = 88.0F / 90.0F * kHalfPi;  ///< beyond it the pattern is too stretched for any return
-constexpr float kSteep_rad = 60.0F / 90.0F * kHalfPi;     ///< from here the incidence adds to the axial noise
-constexpr float kEdgeSteps = 4.0F;                        ///< a jump of that many steps of disparity is an edge
-
-/** What a pixel hands to those that look at it. */
-struct Sample
-{
-	float disparity_px = 0;          ///< 0 = nothing there
-	float slope_u = 0, slope_v = 0;  ///< of the disparity [px/px]; 0 at an edge
-	float cosine = -1;               ///< of the incidence; −1 = gives no return
-};
+constexpr float kSteep_rad = 60.0F / 90.0F * kHalfPi;  ///< from here the incidence adds to the axial noise
 
 /** The quantities that the inner loops need, as floats. */
 struct Optics
@@ -85,125 +74,29 @@ EXPLORE_VECTOR_CODE(measureRow, measure,
                      const float* gauss, float* depth),
                     (optics, width, disparity, cosine, gauss, depth))
 
-/** The gentler of two slopes of the same sign, else 0: exact on planes, and flat at edges. */
-[[gnu::always_inline]] inline float gentler(float before, float after)
+/** Where the pixels of row `v` look: the nearest whole pixel, within the image, and how far beside it. */
+struct LineOfSight
 {
-	const float size = std::min(std::abs(before), std::abs(after));
-	return before * after > 0.0F ? std::copysign(size, before) : 0.0F;
-}
+	std::vector<std::int32_t> column, row;
+	std::vector<float> beside_u, beside_v;
+};
 
-/** The samples of a row between those above and below it; each row has one more value at
- *  either end. */
-[[gnu::always_inline]] inline void sample(std::size_t width, const float* above, const float* here, const float* below,
-                                          float edge_px, float* slope_u, float* slope_v, float* edge)
+[[gnu::always_inline]] inline void shift(std::size_t width, float at, float last, bool along_row, const float* offset,
+                                         float sigma, std::int32_t* pixel, float* beside)
 {
 	for (std::size_t u = 0; u < width; ++u)
 	{
-		const float d = here[u + 1];
-		const float left = d - here[u], right = here[u + 2] - d, up = d - above[u + 1], down = below[u + 1] - d;
-		slope_u[u] = gentler(left, right);
-		slope_v[u] = gentler(up, down);
-		edge[u] = std::max(std::abs(right - left), std::abs(down - up)) > edge_px ? 1.0F : 0.0F;
+		const float where = (along_row ? static_cast<float>(static_cast<std::int32_t>(u)) : at) + sigma * offset[u];
+		const float whole = std::min(std::max(rounded(where), 0.0F), last);
+		pixel[u] = static_cast<std::int32_t>(whole);
+		beside[u] = where - whole;
 	}
 }
 
-EXPLORE_VECTOR_CODE(sampleRow, sample,
-                    (std::size_t width, const float* above, const float* here, const float* below, float edge_px,
-                     float* slope_u, float* slope_v, float* edge),
-                    (width, above, here, below, edge_px, slope_u, slope_v, edge))
-
-/** Samples of the rows around the one that is measured: a ring, so that they stay in the cache. */
-class SampleWindow
-{
-public:
-	SampleWindow(const SensorView& view, const DepthCameraConfig& config, std::uint64_t seed)
-	    : m_view(view),
-	      m_optics(config),
-	      m_edge_dropout(static_cast<float>(config.edge_dropout)),
-	      m_edge_key(noiseKey(seed, 12)),
-	      m_width(static_cast<std::size_t>(config.intrinsics.width_px)),
-	      m_height(config.intrinsics.height_px),
-	      m_reach(std::min(m_height, static_cast<int>(std::ceil(kFarthestSigma * m_optics.lateral_px + 0.5F)))),
-	      m_ring(m_width * static_cast<std::size_t>(2 * m_reach + 1)),
-	      m_slope_u(m_width),
-	      m_slope_v(m_width),
-	      m_edge(m_width)
-	{
-	}
-
-	/** Makes the samples around row `v`; rows come in order from `first`. */
-	void moveTo(int v, int first);
-	[[nodiscard]] const Sample& at(std::size_t u, int v) const { return m_ring[ringRow(v) + u]; }
-
-private:
-	static constexpr float kFarthestSigma = 5.9F;  ///< of a Gaussian number
-
-	[[nodiscard]] std::size_t ringRow(int v) const { return static_cast<std::size_t>(v % (2 * m_reach + 1)) * m_width; }
-	/** The disparities of row `v`, which goes on straight for one pixel beyond both ends, as do the rows. */
-	void disparities(int v, std::vector<float>& padded) const;
-	void sampleOne(int v);
-
-	const SensorView& m_view;
-	Optics m_optics;
-	float m_edge_dropout;
-	NoiseKey m_edge_key;
-	std::size_t m_width;
-	int m_height, m_reach, m_next = -1;  ///< the next row to sample; −1 before the first
-	std::vector<Sample> m_ring;
-	std::vector<float> m_above, m_here, m_below, m_slope_u, m_slope_v, m_edge;
-};
-
-void SampleWindow::disparities(int v, std::vector<float>& padded) const
-{
-	padded.resize(m_width + 2);
-	if ((v < 0 || v >= m_height) && m_height > 1)
-	{
-		std::vector<float> inner;
-		disparities(v < 0 ? 0 : m_height - 1, padded);
-		disparities(v < 0 ? 1 : m_height - 2, inner);
-		for (std::size_t i = 0; i < padded.size(); ++i)
-			if (padded[i] > 0.0F && inner[i] > 0.0F) padded[i] += padded[i] - inner[i];
-		return;
-	}
-	const float* depth = &m_view.depth_m[static_cast<std::size_t>(std::clamp(v, 0, m_height - 1)) * m_width];
-	for (std::size_t u = 0; u < m_width; ++u)
-		padded[u + 1] = depth[u] > 0.0F ? m_optics.focal_baseline / depth[u] : 0.0F;
-	const auto beyond = [](float last, float before)
-	{ return last > 0.0F && before > 0.0F ? 2.0F * last - before : last; };
-	padded.front() = beyond(padded[1], padded[std::min<std::size_t>(2, m_width)]);
-	padded.back() = beyond(padded[m_width], padded[std::max<std::size_t>(1, m_width - 1)]);
-}
-
-void SampleWindow::sampleOne(int v)
-{
-	static const float kLeastCosine = std::cos(kSteepest_rad);
-	disparities(v + 1, m_below);
-	sampleRow(m_width, m_above.data(), m_here.data(), m_below.data(), kEdgeSteps * m_optics.step_px, m_slope_u.data(),
-	          m_slope_v.data(), m_edge.data());
-	const std::size_t first = static_cast<std::size_t>(v) * m_width;
-	Sample* samples = &m_ring[ringRow(v)];
-	for (std::size_t u = 0; u < m_width; ++u)
-	{
-		const float cosine = m_view.cosine[first + u];
-		bool returns = m_view.lost[first + u] == 0 && cosine > kLeastCosine;
-		if (m_edge[u] > 0.0F && noiseUniform(m_edge_key, static_cast<std::uint32_t>(first + u)) < m_edge_dropout)
-			returns = false;
-		samples[u] = {m_here[u + 1], m_slope_u[u], m_slope_v[u], returns ? cosine : -1.0F};
-	}
-	m_above.swap(m_here);
-	m_here.swap(m_below);
-}
-
-void SampleWindow::moveTo(int v, int first)
-{
-	if (m_next < 0)
-	{
-		m_next = std::max(0, first - m_reach);
-		disparities(m_next - 1, m_above);
-		disparities(m_next, m_here);
-	}
-	for (; m_next <= std::min(v + m_reach, m_height - 1); ++m_next) sampleOne(m_next);
-}
+EXPLORE_VECTOR_CODE(shiftRow, shift,
+                    (std::size_t width, float at, float last, bool along_row, const float* offset, float sigma,
+                     std::int32_t* pixel, float* beside),
+                    (width, at, last, along_row, offset, sigma, pixel, beside))
 
 void measureRows(const SensorView& view, const DepthCameraConfig& config, std::uint64_t seed, int first, int last,
                  std::vector<float>& depth)
@@ -214,19 +107,22 @@ void measureRows(const SensorView& view, const DepthCameraConfig& config, std::u
 	const float last_u = static_cast<float>(width - 1), last_v = static_cast<float>(config.intrinsics.height_px - 1);
 	SampleWindow window(view, config, seed);
 	std::vector<float> gauss(3 * width), disparity(width), cosine(width);
+	LineOfSight sight{std::vector<std::int32_t>(width), std::vector<std::int32_t>(width), std::vector<float>(width),
+	                  std::vector<float>(width)};
 	const auto counters_per_row = static_cast<std::uint32_t>((gauss.size() + 1) / 2);
 	for (int v = first; v < last; ++v)
 	{
 		window.moveTo(v, first);
 		fillGaussian(key, static_cast<std::uint32_t>(v) * counters_per_row, gauss);
+		shiftRow(width, 0.0F, last_u, true, gauss.data(), optics.lateral_px, sight.column.data(),
+		         sight.beside_u.data());
+		shiftRow(width, static_cast<float>(v), last_v, false, &gauss[width], optics.lateral_px, sight.row.data(),
+		         sight.beside_v.data());
 		for (std::size_t u = 0; u < width; ++u)
 		{
-			const float at_u = static_cast<float>(u) + optics.lateral_px * gauss[u];
-			const float at_v = static_cast<float>(v) + optics.lateral_px * gauss[width + u];
-			const float column = std::clamp(rounded(at_u), 0.0F, last_u), row = std::clamp(rounded(at_v), 0.0F, last_v);
-			const Sample& seen = window.at(static_cast<std::size_t>(static_cast<int>(column)), static_cast<int>(row));
+			const Sample& seen = window.at(static_cast<std::size_t>(sight.column[u]), sight.row[u]);
 			cosine[u] = seen.cosine;
-			disparity[u] = seen.disparity_px + (at_u - column) * seen.slope_u + (at_v - row) * seen.slope_v;
+			disparity[u] = seen.disparity_px + sight.beside_u[u] * seen.slope_u + sight.beside_v[u] * seen.slope_v;
 		}
 		measureRow(optics, width, disparity.data(), cosine.data(), &gauss[2 * width],
 		           &depth[static_cast<std::size_t>(v) * width]);

@@ -66,7 +66,7 @@ EXPLORE_VECTOR_CODE(refineLanes, refine,
 template <class Scene>
 bool lookUp(const Scene& scene, const RTCRayHit16& query, LanePlanes& planes, TileHits& hits)
 {
-	static const Facet kNothing{{Eigen::Vector3d::UnitX(), 0.0}, 0, RayScene::kNoHit};
+	static const Facet kNothing{{Eigen::Vector3d::UnitX(), 0.0}, 0, RayScene::kNoHit, 0};
 	bool any_moving = false;
 	for (int i = 0; i < kLanes; ++i)
 	{
@@ -79,7 +79,7 @@ bool lookUp(const Scene& scene, const RTCRayHit16& query, LanePlanes& planes, Ti
 		planes.z[i] = facet.plane.normal.z();
 		planes.offset[i] = facet.plane.offset;
 		hits.material[i] = facet.material;
-		hits.body[i] = still ? scene.world.body_of_triangle[facet.triangle] : 0;
+		hits.body[i] = facet.body;
 		hits.moving[i] = -1;
 	}
 	return any_moving;

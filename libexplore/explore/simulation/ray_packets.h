@@ -11,6 +11,7 @@ namespace explore::simulation
 constexpr int kTileSide = 4;
 constexpr int kLanes = kTileSide * kTileSide;  ///< lane = row · 4 + column within the tile
 
+// NOLINTBEGIN(modernize-avoid-c-arrays): as in Embree's own packets, so that loops over both vectorise alike
 struct alignas(64) TileVectors
 {
 	float x[kLanes], y[kLanes], z[kLanes];
@@ -32,6 +33,7 @@ struct alignas(64) TileHits
 	std::uint32_t material[kLanes], body[kLanes];
 	std::int32_t moving[kLanes];
 };
+// NOLINTEND(modernize-avoid-c-arrays)
 
 /** Which lanes of the tile whose first pixel is in column `u`, row `v` lie in the image. */
 TileMask tileInside(int u, int v, int width, int height);

@@ -13,18 +13,18 @@ namespace
 {
 constexpr auto kNone = RTC_INVALID_GEOMETRY_ID;
 
-std::vector<std::uint32_t> materialsOfTriangles(const World& world)
+std::vector<Belonging> belongingsOf(const World& world)
 {
-	std::vector<std::uint32_t> materials;
-	materials.reserve(world.body_of_triangle.size());
+	std::vector<Belonging> belongings;
+	belongings.reserve(world.body_of_triangle.size());
 	for (const std::uint32_t body : world.body_of_triangle)
 	{
 		if (body >= world.bodies.size())
 			throw std::invalid_argument("world: a triangle names body " + std::to_string(body) + " of " +
 			                            std::to_string(world.bodies.size()));
-		materials.push_back(static_cast<std::uint32_t>(world.bodies[body].material));
+		belongings.push_back({static_cast<std::uint32_t>(world.bodies[body].material), body});
 	}
-	return materials;
+	return belongings;
 }
 
 Eigen::Isometry3d startOf(const MovingBody& body)
@@ -66,6 +66,7 @@ RayHit hitOn(const Facet& facet, const Eigen::Vector3d& origin, const Eigen::Vec
 	hit.distance = refinedDistance(plane.offset - plane.normal.dot(origin), slope, distance);
 	hit.normal = (slope > 0.0 ? Eigen::Vector3d(-plane.normal) : plane.normal).cast<float>();
 	hit.material = facet.material;
+	hit.body = facet.body;
 	return hit;
 }
 }  // namespace
@@ -73,7 +74,7 @@ RayHit hitOn(const Facet& facet, const Eigen::Vector3d& origin, const Eigen::Vec
 RayScene::Impl::Impl(const World& the_world, SameRays same)
     : world(the_world),
       device(makeEmbreeDevice(same)),
-      still(bake(device.get(), world.mesh, materialsOfTriangles(world), world.materials)),
+      still(bake(device.get(), world.mesh, belongingsOf(world), world.materials)),
       moving_scene(makeEmbreeScene(device.get())),
       moving_opaque_scene(makeEmbreeScene(device.get()))
 {
@@ -82,7 +83,8 @@ RayScene::Impl::Impl(const World& the_world, SameRays same)
 		PlacedBody placed;
 		placed.mesh =
 		    bake(device.get(), body.mesh,
-		         std::vector(body.mesh.triangles.size(), static_cast<std::uint32_t>(body.material)), world.materials);
+		         std::vector(body.mesh.triangles.size(), Belonging{static_cast<std::uint32_t>(body.material), 0}),
+		         world.materials);
 		placed.instance.reset(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
 		rtcSetGeometryInstancedScene(placed.instance.get(), placed.mesh.scene.get());
 		const auto id = static_cast<unsigned>(moving.size());
@@ -121,13 +123,7 @@ ScenePair RayScene::Impl::scenes(Panes panes) const
 RayHit RayScene::Impl::resolve(unsigned instance, unsigned geometry, unsigned primitive, double distance,
                                const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const
 {
-	if (instance == kNone)
-	{
-		const Facet& facet = still.facets[geometry][primitive];
-		RayHit hit = hitOn(facet, origin, direction, distance);
-		hit.body = world.body_of_triangle[facet.triangle];
-		return hit;
-	}
+	if (instance == kNone) return hitOn(still.facets[geometry][primitive], origin, direction, distance);
 	const PlacedBody& body = moving[instance];
 	RayHit hit = hitOn(body.mesh.facets[geometry][primitive], body.body_from_map * origin,
 	                   body.body_from_map.linear() * direction, distance);

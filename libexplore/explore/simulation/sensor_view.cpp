@@ -29,7 +29,7 @@ struct Look
 /** What the lanes of a tile see, worked out for all alike; what of it holds is decided later. */
 struct alignas(64) TileSight
 {
-	float depth[kLanes], cosine[kLanes], disparity[kLanes];
+	float depth[kLanes], cosine[kLanes], disparity[kLanes];  // NOLINT(modernize-avoid-c-arrays): as TileVectors
 	TileVectors points;
 };
 
@@ -143,7 +143,7 @@ bool Looker::seeFarther(int u, int v, const TileVectors& along, const TileHits& 
 	if (!(sight.distance > 0.0 && sight.distance <= m_range_m)) return false;
 	m_view.depth_m[pixel] = static_cast<float>(sight.distance);
 	m_view.cosine[pixel] = sight.cosine;
-	m_view.reflectance[pixel] = sight.reflectance;
+	if (!m_view.reflectance.empty()) m_view.reflectance[pixel] = sight.reflectance;
 	m_view.lost[pixel] = sight.lost ? 1 : 0;
 	const Eigen::Vector3f point = (origin + sight.distance * direction).cast<float>();
 	points.x[lane] = point.x();
@@ -166,7 +166,7 @@ bool Looker::see(int u, int v, const TileHits& hits, const TileSight& tile, int 
 	const Look& surface = m_looks[material];
 	m_view.depth_m[pixel] = tile.depth[lane];
 	m_view.cosine[pixel] = tile.cosine[lane];
-	m_view.reflectance[pixel] = surface.reflectance;
+	if (!m_view.reflectance.empty()) m_view.reflectance[pixel] = surface.reflectance;
 	m_view.lost[pixel] = surface.black;
 	return surface.black == 0;
 }
@@ -196,7 +196,7 @@ void Looker::look(int row, TileStrip& strip) const
 			can_be_dark[i] = reaches ? -1 : 0;
 		}
 		strip.points[static_cast<std::size_t>(tile)] = sight.points;
-		std::copy_n(sight.disparity, kLanes, &strip.disparity[static_cast<std::size_t>(tile * kLanes)]);
+		std::copy_n(sight.disparity, kLanes, &strip.disparity[static_cast<std::size_t>(tile) * kLanes]);
 	}
 }
 
@@ -222,8 +222,12 @@ SensorView lookAround(const RayScene& scene, const DepthCameraConfig& config, co
 {
 	const auto pixels =
 	    static_cast<std::size_t>(config.intrinsics.width_px) * static_cast<std::size_t>(config.intrinsics.height_px);
-	SensorView view{std::vector<float>(pixels), std::vector<float>(pixels), std::vector<float>(pixels),
-	                std::vector<std::uint8_t>(pixels), std::vector<std::uint8_t>(config.color ? 3 * pixels : 0)};
+	SensorView view;
+	view.depth_m.resize(pixels);
+	view.cosine.resize(pixels);
+	view.lost.resize(pixels);
+	if (config.noise == NoiseModel::speckle) view.reflectance.resize(pixels);
+	if (config.color) view.rgb.resize(3 * pixels);
 	const Looker looker(scene, config, map_from_camera, seed, view);
 	parallelRows(config.intrinsics.height_px, kGrain, config.threads,
 	             [&](int first, int last)

@@ -10,7 +10,7 @@ struct SensorView
 {
 	std::vector<float> depth_m;      ///< along the optical axis; 0 = nothing within reach
 	std::vector<float> cosine;       ///< of the incidence angle, 0–1
-	std::vector<float> reflectance;  ///< 0–1: brightness of the surface
+	std::vector<float> reflectance;  ///< 0–1: brightness of the surface; empty unless config.noise is speckle
 	std::vector<std::uint8_t> lost;  ///< 1 = gives no return: black, swallowed by a pane, in the projector's shadow
 	std::vector<std::uint8_t> rgb;   ///< 3 bytes a pixel; empty without color
 };

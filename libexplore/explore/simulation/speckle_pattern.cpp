@@ -30,8 +30,9 @@ SpecklePattern::SpecklePattern() : m_samples(static_cast<std::size_t>(kSamples) 
 	{
 		const auto cell = static_cast<std::uint32_t>(i);
 		if (noiseUniform(present, cell) > kFilled) continue;
-		const float column = (static_cast<float>(i % kCellColumns) + noiseUniform(across, cell)) / kCellColumns;
-		const float row = (static_cast<float>(i / kCellColumns) + noiseUniform(down, cell)) / kCellRows;
+		const int cell_column = i % kCellColumns, cell_row = i / kCellColumns;
+		const float column = (static_cast<float>(cell_column) + noiseUniform(across, cell)) / kCellColumns;
+		const float row = (static_cast<float>(cell_row) + noiseUniform(down, cell)) / kCellRows;
 		addDot(column * kColumns_px, row * kRows_px, 0.6F + 0.4F * noiseUniform(bright, cell));
 	}
 }
@@ -46,8 +47,8 @@ void SpecklePattern::addDot(float column_px, float row_px, float peak)
 			const double du = static_cast<double>(s) / kFiner - static_cast<double>(column_px);
 			const double dv = v - static_cast<double>(row_px);
 			const double fall = std::exp(-(du * du + dv * dv) / (2.0 * kDotSigma_px * kDotSigma_px));
-			m_samples[static_cast<std::size_t>(wrapped(v, kRows_px) * kSamples + wrapped(s, kSamples))] +=
-			    peak * static_cast<float>(fall);
+			m_samples[static_cast<std::size_t>(wrapped(v, kRows_px)) * kSamples +
+			          static_cast<std::size_t>(wrapped(s, kSamples))] += peak * static_cast<float>(fall);
 		}
 }
 
