@@ -1,7 +1,7 @@
 // Runs a program's body and turns the typed errors of the library into exit codes and one line on stderr.
 #pragma once
 
-#include <explore-mrpt/exit_codes.h>
+#include <common/exit_codes.h>
 #include <explore/core/errors.h>
 
 #include <iostream>

@@ -1,10 +1,9 @@
+#include <common/parse_arguments.h>
 #include <explore-eval/options.h>
-#include <explore-mrpt/exit_codes.h>
 #include <explore/core/errors.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 
 namespace explore::app
 {
@@ -71,21 +70,8 @@ ParsedEvalOptions parseEvalOptions(int argc, const char* const* argv)
 	app.footer(
 	    "Exit codes: 0 done, 1 a requirement was missed (or internal error), 2 usage or configuration,\n"
 	    "3 a log or part unreadable or damaged, 5 output cannot be written.");
-	if (argc <= 1)
-	{
-		std::cerr << app.help();
-		parsed.exit_code = kUsageError;
-		return parsed;
-	}
-	try
-	{
-		app.parse(argc, argv);
-	}
-	catch (const CLI::ParseError& answer)
-	{
-		parsed.exit_code = app.exit(answer, std::cout, std::cerr) == 0 ? kDone : kUsageError;
-		return parsed;
-	}
+	parsed.exit_code = parseArguments(app, argc, argv);
+	if (parsed.exit_code) return parsed;
 	if (score_require->count() > 0 || (merge->parsed() && merge->get_option("--require")->count() > 0))
 		parsed.options.requirements = evaluation::parseRequirements(require);
 	if (!merge->parsed()) checkLogs(parsed.options.logs);

@@ -1,9 +1,9 @@
+#include <common/exit_codes.h>
 #include <explore-eval/eval_outputs.h>
 #include <explore-eval/merge_parts.h>
 #include <explore-eval/process_pool.h>
 #include <explore-eval/run.h>
 #include <explore-eval/score_log.h>
-#include <explore-mrpt/exit_codes.h>
 #include <explore/evaluation/results_text.h>
 #include <explore/sinks/output_file.h>
 

@@ -1,8 +1,7 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/parse_arguments.h>
 #include <explore-mrpt/options.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <map>
 
 namespace explore::app
@@ -50,20 +49,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv)
 	app.footer(
 	    "Exit codes: 0 done, 1 internal error, 2 usage or configuration, 3 input unreadable or damaged,\n"
 	    "4 sensor lost, 5 output cannot be written, 130 / 143 interrupted.");
-	if (argc <= 1)
-	{
-		std::cerr << app.help();
-		parsed.exit_code = kUsageError;
-		return parsed;
-	}
-	try
-	{
-		app.parse(argc, argv);
-	}
-	catch (const CLI::ParseError& answer)
-	{
-		parsed.exit_code = app.exit(answer, std::cout, std::cerr) == 0 ? kDone : kUsageError;
-	}
+	parsed.exit_code = parseArguments(app, argc, argv);
 	return parsed;
 }
 

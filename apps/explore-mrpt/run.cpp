@@ -1,7 +1,7 @@
+#include <common/exit_codes.h>
 #include <common/input_paths.h>
 #include <common/mounted_source.h>
 #include <explore-mrpt/console_logger.h>
-#include <explore-mrpt/exit_codes.h>
 #include <explore-mrpt/interrupt.h>
 #include <explore-mrpt/run.h>
 #include <explore-mrpt/run_outputs.h>

@@ -1,4 +1,4 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/exit_codes.h>
 #include <explore-rawlog/import_command.h>
 #include <explore/core/errors.h>
 #include <explore/sources/import_recording.h>

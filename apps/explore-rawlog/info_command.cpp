@@ -1,4 +1,4 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/exit_codes.h>
 #include <explore-rawlog/info_command.h>
 #include <explore/sources/rawlog_info.h>
 #ifdef EXPLORE_SIMULATION

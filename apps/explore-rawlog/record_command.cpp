@@ -1,4 +1,4 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/exit_codes.h>
 #include <explore-rawlog/record_command.h>
 #include <explore-rawlog/record_options.h>
 #include <explore/core/errors.h>
@@ -48,6 +48,7 @@ std::vector<TimedPose> pathOf(const RecordOptions& options)
 std::vector<PathPose> fromStart(const std::vector<TimedPose>& poses)
 {
 	std::vector<PathPose> path;
+	path.reserve(poses.size());
 	for (const TimedPose& pose : poses) path.push_back({secondsBetween(poses.front().time, pose.time), pose.pose});
 	return path;
 }

@@ -173,7 +173,7 @@ std::string commandOf(const RecordOptions& options)
 	{
 		if (!value.empty()) command.append(" ").append(name).append(" ").append(quoted(value));
 	};
-	const auto addNumber = [&](const std::string& name, double value)
+	const auto add_number = [&](const std::string& name, double value)
 	{
 		if (value != 0.0) add(name, formatNumber(value));
 	};
@@ -187,10 +187,10 @@ std::string commandOf(const RecordOptions& options)
 	for (const double value : options.mount) mount.append(mount.empty() ? "" : ",").append(formatNumber(value));
 	add("--pose", mount);
 	add("--sensor", options.sensor);
-	addNumber("--size", options.width_px);
+	add_number("--size", options.width_px);
 	add("--noise", options.noise);
-	addNumber("--rate", options.rate_hz);
-	addNumber("--seconds", options.seconds);
+	add_number("--rate", options.rate_hz);
+	add_number("--seconds", options.seconds);
 	if (options.no_color) command.append(" --no-color");
 	for (const std::string& setting : options.set) add("--set", setting);
 	add("--configuration", options.configuration);

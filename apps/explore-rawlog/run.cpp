@@ -1,4 +1,4 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/parse_arguments.h>
 #include <explore-rawlog/import_command.h>
 #include <explore-rawlog/info_command.h>
 #include <explore-rawlog/run.h>
@@ -9,13 +9,17 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <iostream>
 
 namespace explore::app
 {
 int runRawlogTool(int argc, const char* const* argv)
 {
-	CLI::App app("Makes rawlogs from recordings and simulated worlds, and tells what they contain.", "explore-rawlog");
+#ifdef EXPLORE_SIMULATION
+	const std::string description = "Makes rawlogs from recordings and simulated worlds, and tells what they contain.";
+#else
+	const std::string description = "Makes rawlogs from recordings, and tells what they contain.";
+#endif
+	CLI::App app(description, "explore-rawlog");
 	app.set_version_flag("--version", std::string("explore-rawlog ") + EXPLORE_VERSION);
 	app.require_subcommand(1);
 	app.footer(
@@ -27,14 +31,7 @@ int runRawlogTool(int argc, const char* const* argv)
 	addRecordCommand(app, command);
 	addSynthCommand(app, command);
 #endif
-	try
-	{
-		app.parse(argc, argv);
-	}
-	catch (const CLI::ParseError& answer)
-	{
-		return app.exit(answer, std::cout, std::cerr) == 0 ? kDone : kUsageError;
-	}
+	if (const auto exit_code = parseArguments(app, argc, argv)) return *exit_code;
 	return command();
 }
 }  // namespace explore::app

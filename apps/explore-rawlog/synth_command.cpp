@@ -1,4 +1,4 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/exit_codes.h>
 #include <explore-rawlog/synth_command.h>
 #include <explore-rawlog/synth_logs.h>
 #include <explore/config/suggestions.h>

@@ -44,7 +44,10 @@ void writeLog(const SynthTask& task, const SynthConfig& config)
 class Progress
 {
 public:
-	explicit Progress(std::size_t tasks) : m_done(tasks), m_errors(tasks) {}
+	explicit Progress(std::size_t tasks)
+	    : m_done(tasks), m_errors(tasks)  // NOLINT(bugprone-throw-keyword-missing): a list of errors to come
+	{
+	}
 
 	/** The next task; none after the last or after a failure. */
 	std::optional<std::size_t> take()

@@ -1,4 +1,4 @@
-#include <explore-mrpt/exit_codes.h>
+#include <common/exit_codes.h>
 #include <explore-mrpt/options.h>
 #include <gtest/gtest.h>
 

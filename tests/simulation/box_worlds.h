@@ -2,6 +2,7 @@
 #pragma once
 
 #include <explore/core/geometry.h>
+#include <explore/core/robot.h>
 #include <explore/simulation/shapes.h>
 #include <explore/simulation/truth_rays.h>
 
@@ -83,5 +84,16 @@ inline bool crosses(const Vector3d& from, const Vector3d& to, const Box& box)
 		leave = std::min(leave, b);
 	}
 	return enter <= leave;
+}
+
+/** The MAV of doc/definitions.md. */
+inline RobotConfig mav()
+{
+	RobotConfig robot;
+	robot.kind = RobotKind::mav;
+	robot.radius_m = 0.3;
+	robot.height_m = 0.25;
+	robot.max_speed_mps = 0.8;
+	return robot;
 }
 }  // namespace explore::test

@@ -16,16 +16,6 @@ namespace
 {
 constexpr double kDegree_rad = M_PI / 180;
 
-RobotConfig mav()
-{
-	RobotConfig robot;
-	robot.kind = RobotKind::mav;
-	robot.radius_m = 0.3;
-	robot.height_m = 0.25;
-	robot.max_speed_mps = 0.8;
-	return robot;
-}
-
 /** No errors: what is measured is the motion itself. */
 SimulatedRobotConfig exact()
 {

@@ -18,16 +18,6 @@ using testing::IsEmpty;
 
 namespace
 {
-RobotConfig mav()
-{
-	RobotConfig robot;
-	robot.kind = RobotKind::mav;
-	robot.radius_m = 0.3;
-	robot.height_m = 0.25;
-	robot.max_speed_mps = 0.8;
-	return robot;
-}
-
 double distanceToSegment(const Vector3d& point, const Vector3d& a, const Vector3d& b)
 {
 	const double share = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);

@@ -18,15 +18,6 @@ namespace
 {
 constexpr double kDegree_rad = M_PI / 180;
 
-RobotConfig mav()
-{
-	RobotConfig robot;
-	robot.kind = RobotKind::mav;
-	robot.radius_m = 0.3;
-	robot.height_m = 0.25;
-	return robot;
-}
-
 /** Four walls, their faces `half_m` from the middle; floor and ceiling. */
 World room(double half_m, double ceiling_m)
 {

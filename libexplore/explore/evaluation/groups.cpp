@@ -31,13 +31,14 @@ void append(SceneList& list, const LogScore& log)
 
 /** The scenes of the logs with truth, by the key that `keyOf` gives a log, where it gives one. */
 std::vector<Group> grouped(const std::vector<LogScore>& logs,
-                           const std::function<std::vector<Key>(const LogScore&)>& keysOf)
+                           const std::function<std::vector<Key>(const LogScore&)>& keys_of)
 {
 	std::map<Key, SceneList> lists;
 	for (const LogScore& log : logs)
 		if (log.has_truth && !log.scenes.empty())
-			for (const Key& key : keysOf(log)) append(lists[key], log);
+			for (const Key& key : keys_of(log)) append(lists[key], log);
 	std::vector<Group> groups;
+	groups.reserve(lists.size());
 	for (const auto& [key, scenes] : lists)
 		groups.push_back({std::get<2>(key), std::get<3>(key), std::get<4>(key), std::get<0>(key), figuresOf(scenes)});
 	return groups;

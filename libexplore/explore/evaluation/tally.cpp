@@ -154,9 +154,9 @@ Tally tallyOf(const JsonPlace& place)
 	for (const auto& [key, value] : place.entries())
 	{
 		bool known = false;
-		const auto take = [&, &key_ = key](std::string_view name, const auto& read)
+		const auto take = [&, &this_key = key](std::string_view name, const auto& read)
 		{
-			if (key_ != name) return;
+			if (this_key != name) return;
 			known = true;
 			read();
 		};

@@ -65,16 +65,16 @@ bool fitsInHeight(const DoorLabel& label, const RobotConfig& robot)
 Passage passageOf(const DoorLabel& label, const RayScene& scene, const RobotConfig& robot)
 {
 	const double needed_m = 2.0 * (robot.radius_m + kPassingMargin_m);
-	const auto wideEnough = [&](double width_m) { return width_m + kRounding_m >= needed_m; };
+	const auto wide_enough = [&](double width_m) { return width_m + kRounding_m >= needed_m; };
 	Passage passage{label.clear_width_m, label.verdict, false};
 	const auto covered = coveredNow(label, scene);
 	if (!covered.empty()) passage.clear_width_m = std::min(passage.clear_width_m, widestGap(covered, label.width_m));
-	if (traversable(label.verdict) && wideEnough(label.clear_width_m) && !wideEnough(passage.clear_width_m))
+	if (traversable(label.verdict) && wide_enough(label.clear_width_m) && !wide_enough(passage.clear_width_m))
 		passage.verdict = Verdict::blocked;
 
 	const bool over_the_sill =
 	    robot.kind == RobotKind::mav && label.verdict == Verdict::blocked && label.sill_m > kStepHeight_m;
-	passage.passable = (traversable(passage.verdict) || over_the_sill) && wideEnough(passage.clear_width_m) &&
+	passage.passable = (traversable(passage.verdict) || over_the_sill) && wide_enough(passage.clear_width_m) &&
 	                   fitsInHeight(label, robot);
 	return passage;
 }

@@ -1,4 +1,4 @@
-// What the program's exit code tells a script.
+// What a program's exit code tells a script.
 #pragma once
 
 namespace explore::app
