@@ -104,7 +104,8 @@ void measureRows(const SensorView& view, const DepthCameraConfig& config, std::u
 	const Optics optics(config);
 	const NoiseKey key = noiseKey(seed, 11);
 	const auto width = static_cast<std::size_t>(config.intrinsics.width_px);
-	const float last_u = static_cast<float>(width - 1), last_v = static_cast<float>(config.intrinsics.height_px - 1);
+	const auto last_u = static_cast<float>(width - 1);
+	const auto last_v = static_cast<float>(config.intrinsics.height_px - 1);
 	SampleWindow window(view, config, seed);
 	std::vector<float> gauss(3 * width), disparity(width), cosine(width);
 	LineOfSight sight{std::vector<std::int32_t>(width), std::vector<std::int32_t>(width), std::vector<float>(width),

@@ -24,7 +24,7 @@ std::uint64_t splitMix(std::uint64_t x)
 	constexpr std::int32_t kRootHalf = 0x3f3504f3;
 	const auto bits = std::bit_cast<std::int32_t>(x);
 	const std::int32_t exponent = (bits - kRootHalf) >> 23;
-	const float m = std::bit_cast<float>(bits - (exponent << 23));
+	const auto m = std::bit_cast<float>(bits - (exponent << 23));
 	const float s = (m - 1.0F) / (m + 1.0F), q = s * s;
 	const float series = s * (2.0F + q * (0.66666667F + q * (0.4F + q * 0.28571429F)));
 	return static_cast<float>(exponent) * 0.69314718F + series;

@@ -18,7 +18,7 @@ std::vector<std::uint8_t> tilesInDoubt(const TileStrip& strip, int width_px, flo
 		for (int u = strip.tiles * kTileSide - 1; u >= 0; --u)
 		{
 			const auto tile = static_cast<std::size_t>(u / kTileSide);
-			const auto lane = static_cast<std::size_t>(row * kTileSide + u % kTileSide);
+			const auto lane = static_cast<std::size_t>(row) * kTileSide + static_cast<std::size_t>(u % kTileSide);
 			const float line = strip.disparity[tile * kLanes + lane] - static_cast<float>(u);
 			if (greatest > line - kSlack_px)
 			{

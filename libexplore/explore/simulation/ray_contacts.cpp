@@ -45,7 +45,7 @@ void visitNear(const BakedMesh& mesh, const Eigen::Vector3d& center, double radi
 	query.y = static_cast<float>(center.y());
 	query.z = static_cast<float>(center.z());
 	query.radius = roundedUp(radius_m, center);
-	RTCPointQueryContext context;
+	RTCPointQueryContext context{};
 	rtcInitPointQueryContext(&context);
 	rtcPointQuery(mesh.scene.get(), &query, &context, visitTriangle, &search);
 }

@@ -33,7 +33,7 @@ void forTiles(int width, int height, int threads, const Work& work)
 /** Lanes that are not in the mask get the vector (1, 0, 0). */
 TileVectors vectorsOf(std::span<const Eigen::Vector3f> image, const TileMask& mask, int u, int v, int width)
 {
-	TileVectors vectors;
+	TileVectors vectors;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
 	std::fill_n(vectors.x, kLanes, 1.0F);
 	std::fill_n(vectors.y, kLanes, 0.0F);
 	std::fill_n(vectors.z, kLanes, 0.0F);
@@ -55,7 +55,7 @@ void RayScene::castImage(const Eigen::Vector3d& origin, std::span<const Eigen::V
 	forTiles(width, height, threads,
 	         [&](int u, int v, const TileMask& inside)
 	         {
-		         TileHits found;
+		         TileHits found;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled by the packet
 		         const TileVectors along = vectorsOf(directions, inside, u, v, width);
 		         tracer.cast(along, inside, max_distance, found);
 		         forLanes(inside, u, v, width,

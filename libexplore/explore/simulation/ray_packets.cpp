@@ -13,7 +13,7 @@ namespace
 {
 RTCIntersectContext coherentContext()
 {
-	RTCIntersectContext context;
+	RTCIntersectContext context{};
 	rtcInitIntersectContext(&context);
 	context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 	return context;
@@ -35,7 +35,7 @@ void startRays(RTCRay16& ray, const Eigen::Vector3d& origin)
 /** The planes of the triangles that the lanes hit. */
 struct alignas(64) LanePlanes
 {
-	double x[kLanes], y[kLanes], z[kLanes], offset[kLanes];
+	double x[kLanes], y[kLanes], z[kLanes], offset[kLanes];  // NOLINT(modernize-avoid-c-arrays): as TileVectors
 };
 
 /** Distances in double precision, and normals toward the origin. */
@@ -172,7 +172,7 @@ void TileTracer::cast(const TileVectors& directions, const TileMask& valid, doub
 {
 	const RayScene::Impl& impl = *m_scene.m_impl;
 	const ScenePair scenes = impl.scenes(m_panes);
-	RTCRayHit16 query;
+	RTCRayHit16 query;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled lane by lane
 	startRays(query.ray, m_origin);
 	TileMask usable = valid;
 	aimAlong(directions, static_cast<float>(max_distance), query.ray, usable);
@@ -183,7 +183,7 @@ void TileTracer::cast(const TileVectors& directions, const TileMask& valid, doub
 	rtcIntersect16(usable.lane.data(), scenes.still, &context, &query);
 	if (scenes.moving) rtcIntersect16(usable.lane.data(), scenes.moving, &context, &query);
 
-	LanePlanes planes;
+	LanePlanes planes;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled lane by lane
 	const bool any_moving = lookUp(impl, query, planes, hits);
 	refineLanes(planes, m_origin, directions, query.ray.tfar, hits);
 	for (int i = 0; any_moving && i < kLanes; ++i)
@@ -197,7 +197,7 @@ void TileTracer::cast(const TileVectors& directions, const TileMask& valid, doub
 TileMask TileTracer::occluded(const TileVectors& to, const TileMask& valid, double margin_m) const
 {
 	const ScenePair scenes = m_scene.m_impl->scenes(m_panes);
-	RTCRay16 ray;
+	RTCRay16 ray;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled lane by lane
 	TileMask left = valid, dark;
 	startRays(ray, m_origin);
 	aimAt(to, static_cast<float>(margin_m), ray, left);

@@ -106,7 +106,7 @@ void RayScene::Impl::place(std::size_t index, const Eigen::Isometry3d& map_from_
 	rtcCommitGeometry(body.instance.get());
 }
 
-void RayScene::Impl::commit()
+void RayScene::Impl::commit()  // NOLINT(readability-make-member-function-const): changes what rays hit
 {
 	rtcCommitScene(moving_scene.get());
 	rtcCommitScene(moving_opaque_scene.get());
@@ -163,7 +163,7 @@ std::optional<RayHit> RayScene::cast(const Eigen::Vector3d& origin, const Eigen:
 	if (!finite(origin, direction)) return std::nullopt;
 	RTCRayHit query{rayAlong(origin, direction, 0.0, max_distance), {}};
 	query.hit.geomID = query.hit.instID[0] = kNone;
-	RTCIntersectContext context;
+	RTCIntersectContext context{};
 	rtcInitIntersectContext(&context);
 	const ScenePair scenes = m_impl->scenes(Panes::block);
 	rtcIntersect1(scenes.still, &context, &query);
@@ -179,7 +179,7 @@ bool RayScene::occluded(const Eigen::Vector3d& from, const Eigen::Vector3d& to, 
 	if (!finite(from, to)) return false;
 	const double margin = margin_m / length;
 	RTCRay ray = rayAlong(from, to - from, margin, 1.0 - margin);
-	RTCIntersectContext context;
+	RTCIntersectContext context{};
 	rtcInitIntersectContext(&context);
 	const ScenePair scenes = m_impl->scenes(panes);
 	rtcOccluded1(scenes.still, &context, &ray);

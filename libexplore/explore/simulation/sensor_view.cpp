@@ -107,11 +107,12 @@ TileVectors Looker::aim(int u, int v) const
 	const Eigen::Matrix3f turn = m_map_from_camera.linear().cast<float>();
 	const Eigen::Vector3f first = rayOfPixel(m_config.intrinsics, u, v).cast<float>();
 	const Eigen::Vector3f next = rayOfPixel(m_config.intrinsics, u + 1, v + 1).cast<float>() - first;
-	TileVectors along;
+	TileVectors along;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
 	for (int i = 0; i < kLanes; ++i)
 	{
+		const int tile_row = i / kTileSide;
 		const float y = first.y() + static_cast<float>(i % kTileSide) * next.y();
-		const float z = first.z() + static_cast<float>(i / kTileSide) * next.z();
+		const float z = first.z() + static_cast<float>(tile_row) * next.z();
 		along.x[i] = turn(0, 0) + y * turn(0, 1) + z * turn(0, 2);
 		along.y[i] = turn(1, 0) + y * turn(1, 1) + z * turn(1, 2);
 		along.z[i] = turn(2, 0) + y * turn(2, 1) + z * turn(2, 2);
@@ -182,8 +183,8 @@ void Looker::look(int row, TileStrip& strip) const
 		const int u = tile * kTileSide;
 		const TileVectors along = aim(u, row);
 		const TileMask inside = tileInside(u, row, camera.width_px, camera.height_px);
-		TileHits hits;
-		TileSight sight;
+		TileHits hits;    // NOLINT(cppcoreguidelines-pro-type-member-init): filled by cast()
+		TileSight sight;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled by workOut()
 		m_eye.cast(along, inside, m_reach_m, hits);
 		workOutLanes(along, hits, origin, focal_baseline, sight);
 		TileMask& can_be_dark = strip.can_be_dark[static_cast<std::size_t>(tile)];

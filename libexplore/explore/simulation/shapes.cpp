@@ -158,7 +158,7 @@ TriangleMesh prismMesh(std::span<const std::vector<Eigen::Vector2d>> rings, doub
 	std::vector<std::vector<Eigen::Vector2d>> tidy;
 	for (const auto& ring : rings)
 		if (auto outline = tidyOutline(ring); !outline.empty()) tidy.push_back(std::move(outline));
-	const auto depthOf = [&tidy](const auto& ring)
+	const auto depth_of = [&tidy](const auto& ring)
 	{
 		return std::count_if(tidy.begin(), tidy.end(),
 		                     [&ring](const auto& other) { return &other != &ring && contains(other, ring.front()); });
@@ -166,11 +166,11 @@ TriangleMesh prismMesh(std::span<const std::vector<Eigen::Vector2d>> rings, doub
 	TriangleMesh mesh;
 	for (const auto& outer : tidy)
 	{
-		const auto depth = depthOf(outer);
+		const auto depth = depth_of(outer);
 		if (depth % 2 == 1) continue;
 		std::vector<std::vector<Eigen::Vector2d>> holes;
 		for (const auto& ring : tidy)
-			if (depthOf(ring) == depth + 1 && contains(outer, ring.front())) holes.push_back(ring);
+			if (depth_of(ring) == depth + 1 && contains(outer, ring.front())) holes.push_back(ring);
 		append(mesh, filledPrism(outer, holes, height_m), at(0, 0, 0));
 	}
 	return mesh;

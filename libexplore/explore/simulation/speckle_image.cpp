@@ -37,7 +37,7 @@ std::vector<std::uint16_t> infraredImage(const SensorView& view, const DepthCame
 	const auto scale = static_cast<float>(config.noise_scale);
 	const NoiseKey key = noiseKey(seed, 21);
 	std::vector<std::uint16_t> image(view.depth_m.size());
-	const auto renderRows = [&](int first, int last)
+	const auto render_rows = [&](int first, int last)
 	{
 		std::vector<float> gauss(static_cast<std::size_t>(width));
 		for (int v = first; v < last; ++v)
@@ -49,12 +49,12 @@ std::vector<std::uint16_t> infraredImage(const SensorView& view, const DepthCame
 				const auto column = static_cast<std::size_t>(u);
 				const float counts = countsAt(view, start + column, focal_baseline, u, v);
 				const float sigma = scale * std::sqrt(kReadNoise * kReadNoise + kShotNoise * counts);
-				image[start + column] =
-				    static_cast<std::uint16_t>(std::clamp(counts + sigma * gauss[column], 0.0F, kBrightest) + 0.5F);
+				image[start + column] = static_cast<std::uint16_t>(
+				    std::floor(std::clamp(counts + sigma * gauss[column], 0.0F, kBrightest) + 0.5F));
 			}
 		}
 	};
-	parallelRows(config.intrinsics.height_px, 16, config.threads, renderRows);
+	parallelRows(config.intrinsics.height_px, 16, config.threads, render_rows);
 	return image;
 }
 }  // namespace explore::simulation

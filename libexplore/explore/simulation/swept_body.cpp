@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace explore::simulation
 {
@@ -60,8 +61,8 @@ Interval heightsOf(const Triangle& triangle)
 }
 }  // namespace
 
-SweptBody::SweptBody(const RayScene& scene, const VerticalCylinder& body, double reach_m, double max_elevation_rad)
-    : m_body(body), m_reach_m(reach_m)
+SweptBody::SweptBody(const RayScene& scene, VerticalCylinder body, double reach_m, double max_elevation_rad)
+    : m_body(std::move(body)), m_reach_m(reach_m)
 {
 	collect(scene, max_elevation_rad);
 	std::stable_sort(m_obstacles.begin(), m_obstacles.end(),

@@ -15,7 +15,7 @@ class SweptBody
 {
 public:
 	/** Paths of up to `reach_m`, between −`max_elevation_rad` and `max_elevation_rad`. */
-	SweptBody(const RayScene& scene, const VerticalCylinder& body, double reach_m, double max_elevation_rad);
+	SweptBody(const RayScene& scene, VerticalCylinder body, double reach_m, double max_elevation_rad);
 
 	/** How far [m] the body moves along the azimuth (map frame, positive to the left) and elevation (positive up)
 	 * before it touches a surface, at most reach_m; to 10⁻⁴ m. */

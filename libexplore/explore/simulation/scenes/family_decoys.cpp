@@ -31,7 +31,7 @@ struct Standing
 Subject standBeforeWall(Sketch& sketch, const Piece& piece, const Standing& where)
 {
 	const double depth_m = piece.size_m.y();
-	const Subject subject{{{0, -(where.gap_m + depth_m + 0.02)}, 0}, around(where.along_m, piece.size_m.x())};
+	Subject subject{{{0, -(where.gap_m + depth_m + 0.02)}, 0}, around(where.along_m, piece.size_m.x())};
 	putPiece(sketch, piece, WallFrame{}.pose(where.along_m, -(where.gap_m + 0.5 * depth_m), 0, where.turn_rad));
 	return subject;
 }

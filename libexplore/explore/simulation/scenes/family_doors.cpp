@@ -176,7 +176,7 @@ void twoDoors(Sketch& sketch)
 		door.along_m = from_m + 0.5 * door.width_m;
 		from_m += door.width_m + sketch.random.uniform(0.3, 1.5);
 		front.side.doors.push_back(door);
-		sketch.promise.visible_doors.push_back(id);
+		sketch.promise.visible_doors.emplace_back(id);
 	}
 	const Subject subject{{}, {front.side.doors.front().along().low, front.side.doors.back().along().high}};
 	if (lookAt(sketch, subject, {{1.5, 4.6}, {0, 70}})) buildFront(sketch, std::move(front));

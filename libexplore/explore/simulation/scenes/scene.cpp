@@ -20,14 +20,14 @@ void move(World& world, const Eigen::Isometry3d& map_from_building)
 {
 	const Eigen::Isometry3f moved = map_from_building.cast<float>();
 	for (Eigen::Vector3f& vertex : world.mesh.vertices) vertex = moved * vertex;
-	const auto onPlan = [&map_from_building](Eigen::Vector2d& point)
+	const auto on_plan = [&map_from_building](Eigen::Vector2d& point)
 	{ point = (map_from_building * Eigen::Vector3d(point.x(), point.y(), 0)).head<2>(); };
 	for (DoorLabel& door : world.doors)
 	{
 		door.floor_center_in_map = map_from_building * door.floor_center_in_map;
 		door.normal_in_map = map_from_building.linear() * door.normal_in_map;
 	}
-	for (CorridorLabel& corridor : world.corridors) onPlan(corridor.start_in_map), onPlan(corridor.end_in_map);
+	for (CorridorLabel& corridor : world.corridors) on_plan(corridor.start_in_map), on_plan(corridor.end_in_map);
 	for (ObstacleLabel& obstacle : world.obstacles)
 		obstacle.floor_center_in_map = map_from_building * obstacle.floor_center_in_map;
 }

@@ -50,8 +50,8 @@ CPose3D nextPose(const Looker& looker, const std::optional<Aim>& aim, const CPos
 	const double lean_rad = (flies ? 1.5 : 0.2) * kDegree_rad, climb_m = flies ? random.uniform(-0.02, 0.02) : 0.0;
 	const double pitch_rad = pose.pitch() + random.uniform(-lean_rad, lean_rad);
 	const double roll_rad = pose.roll() + random.uniform(-lean_rad, lean_rad);
-	const CPose3D ahead(pose.x() + step_m * std::cos(yaw_rad), pose.y() + step_m * std::sin(yaw_rad),
-	                    pose.z() + climb_m, yaw_rad, pitch_rad, roll_rad);
+	CPose3D ahead(pose.x() + step_m * std::cos(yaw_rad), pose.y() + step_m * std::sin(yaw_rad), pose.z() + climb_m,
+	              yaw_rad, pitch_rad, roll_rad);
 	if (!looker.touches(ahead, kMargin_m)) return ahead;
 	const double on_spot_rad = (turn_rad >= 0 ? 1.0 : -1.0) * (kLeast_rad + std::abs(sway_rad));
 	return {pose.x(), pose.y(), pose.z(), pose.yaw() + on_spot_rad, pose.pitch(), pose.roll()};

@@ -3,15 +3,17 @@
 
 #include <explore/simulation/scenes/scene_furniture.h>
 
+#include <string>
+#include <utility>
+
 namespace explore::simulation
 {
 /** Adds parts in the frame of one thing. */
 class PieceMaker
 {
 public:
-	PieceMaker(Sketch& sketch, const std::string& body, const Eigen::Vector3d& size_m,
-	           const Eigen::Isometry3d& building_from_piece)
-	    : m_sketch(sketch), m_body(body), m_frame(building_from_piece), m_size(size_m)
+	PieceMaker(Sketch& sketch, std::string body, Eigen::Vector3d size_m, const Eigen::Isometry3d& building_from_piece)
+	    : m_sketch(sketch), m_body(std::move(body)), m_frame(building_from_piece), m_size(std::move(size_m))
 	{
 	}
 

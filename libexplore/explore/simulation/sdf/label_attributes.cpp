@@ -9,7 +9,7 @@ namespace explore::simulation
 std::string LabelAttributes::text(const std::string& name)
 {
 	m_asked.insert(name);
-	const std::string value(trimmed(m_element.attribute(name)));
+	std::string value(trimmed(m_element.attribute(name)));
 	if (value.empty()) refuse(name, "a value");
 	return value;
 }
@@ -57,7 +57,7 @@ Eigen::Vector3d LabelAttributes::pointIn(const std::string& name, std::string_vi
 	constexpr double kFarthest_m = 1000;
 	const auto numbers = numbersIn(text);
 	if (!numbers || numbers->size() < 2 || numbers->size() > 3) refuse(name, "'x y' or 'x y z' in metres");
-	const Eigen::Vector3d point((*numbers)[0], (*numbers)[1], numbers->size() > 2 ? (*numbers)[2] : 0.0);
+	Eigen::Vector3d point((*numbers)[0], (*numbers)[1], numbers->size() > 2 ? (*numbers)[2] : 0.0);
 	if (point.norm() > kFarthest_m) refuse(name, "a place at most 1000 m from the origin");
 	return point;
 }
@@ -69,7 +69,9 @@ void LabelAttributes::finish() const
 		{
 			std::string known;
 			for (const std::string& asked : m_asked) known.append(known.empty() ? "" : ", ").append(asked);
-			refuseElement("the attribute '" + name + "' is not known; used so far: " + known);
+			std::string problem = "the attribute '";
+			problem.append(name).append("' is not known; used so far: ").append(known);
+			refuseElement(problem);
 		}
 }
 

@@ -74,10 +74,10 @@ std::string_view trimmed(std::string_view text)
 void appendUtf8(std::string& text, unsigned long code)
 {
 	const auto put = [&text](unsigned long byte) { text.push_back(static_cast<char>(byte)); };
-	const auto putRest = [&put, code](unsigned shift) { put(0x80U | (code >> shift & 0x3FU)); };
+	const auto put_rest = [&put, code](unsigned shift) { put(0x80U | (code >> shift & 0x3FU)); };
 	if (code < 0x80) return put(code);
-	if (code < 0x800) return put(0xC0U | code >> 6U), putRest(0);
-	if (code < 0x10000) return put(0xE0U | code >> 12U), putRest(6), putRest(0);
-	put(0xF0U | code >> 18U), putRest(12), putRest(6), putRest(0);
+	if (code < 0x800) return put(0xC0U | code >> 6U), put_rest(0);
+	if (code < 0x10000) return put(0xE0U | code >> 12U), put_rest(6), put_rest(0);
+	put(0xF0U | code >> 18U), put_rest(12), put_rest(6), put_rest(0);
 }
 }  // namespace explore::simulation

@@ -10,6 +10,7 @@
 #include <explore/simulation/sdf/world_labels.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace explore::simulation
@@ -163,12 +164,12 @@ private:
 	/** Materials of the same name may differ in colour; those without a name are called by it. */
 	std::size_t materialOf(const Material& look)
 	{
-		char color[8] = {};
+		std::array<char, 8> color{};
 		const Eigen::Array3i rgb = (look.color.array() * 255.0F).round().cast<int>();
-		std::snprintf(color, sizeof(color), "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255, rgb[2] & 255);
+		std::snprintf(color.data(), color.size(), "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255, rgb[2] & 255);
 		Material material = look;
-		if (material.name.empty()) material.name = color;
-		const auto [known, added] = m_materials.emplace(look.name + color, m_world.materials.size());
+		if (material.name.empty()) material.name = color.data();
+		const auto [known, added] = m_materials.emplace(look.name + color.data(), m_world.materials.size());
 		if (added) m_world.materials.push_back(material);
 		return known->second;
 	}

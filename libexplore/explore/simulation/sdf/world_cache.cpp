@@ -2,6 +2,7 @@
 
 #include <explore/simulation/sdf/world_cache.h>
 #include <explore/simulation/sdf/world_layout.h>
+#include <array>
 #include <cstdio>
 #include <fstream>
 
@@ -15,9 +16,9 @@ constexpr std::string_view kFormat = "explore-world-1\n";
 
 std::string hexadecimal(std::uint64_t number)
 {
-	char text[17] = {};
-	std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(number));
-	return text;
+	std::array<char, 17> text{};
+	std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
+	return text.data();
 }
 
 using DependencyList = std::vector<std::pair<std::string, std::optional<std::uint64_t>>>;

@@ -141,7 +141,7 @@ void addMoving(World& world, LabelAttributes& label, const XmlNode& element)
 			waypoint.refuse("t", "more than that of the waypoint before");
 		points.push_back(point);
 	}
-	if (points.empty()) label.refuseElement("at least one <waypoint t=\"0\" at=\"x y\"/> is needed");
+	if (points.empty()) label.refuseElement(R"(at least one <waypoint t="0" at="x y"/> is needed)");
 	body.track = trackThrough(points);
 	world.moving.push_back(std::move(body));
 }

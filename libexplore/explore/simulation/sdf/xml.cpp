@@ -2,6 +2,7 @@
 #include <explore/simulation/sdf/xml.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace explore::simulation
@@ -32,8 +33,8 @@ std::string nameHere(TextReader& reader)
 
 void appendEntity(const TextReader& reader, std::string& text, std::string_view entity)
 {
-	static constexpr std::pair<std::string_view, char> kNamed[] = {
-	    {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};
+	static constexpr std::array<std::pair<std::string_view, char>, 5> kNamed{
+	    {{"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}}};
 	for (const auto& [name, letter] : kNamed)
 		if (entity == name) return text.push_back(letter);
 	const bool hexadecimal = entity.starts_with("#x"), decimal = !hexadecimal && entity.starts_with("#");
