@@ -59,7 +59,7 @@ Eigen::Vector3d pointOf(const JsonPlace& place)
 
 Eigen::Vector3d unitOf(const JsonPlace& place)
 {
-	const Eigen::Vector3d value = place.vector();
+	Eigen::Vector3d value = place.vector();
 	if (!(std::abs(value.norm() - 1.0) < 1e-6)) place.refuse("a vector of length 1");
 	return value;
 }

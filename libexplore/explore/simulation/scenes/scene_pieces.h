@@ -12,8 +12,8 @@ namespace explore::simulation
 class PieceMaker
 {
 public:
-	PieceMaker(Sketch& sketch, std::string body, Eigen::Vector3d size_m, const Eigen::Isometry3d& building_from_piece)
-	    : m_sketch(sketch), m_body(std::move(body)), m_frame(building_from_piece), m_size(std::move(size_m))
+	PieceMaker(Sketch& sketch, std::string body, Eigen::Vector3d size_m, Eigen::Isometry3d building_from_piece)
+	    : m_sketch(sketch), m_body(std::move(body)), m_frame(std::move(building_from_piece)), m_size(std::move(size_m))
 	{
 	}
 
@@ -38,7 +38,7 @@ public:
 
 private:
 	Sketch& m_sketch;
-	const std::string& m_body;
+	std::string m_body;
 	Eigen::Isometry3d m_frame;
 	Eigen::Vector3d m_size;
 };

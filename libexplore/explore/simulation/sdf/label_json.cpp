@@ -38,7 +38,7 @@ std::string stringHere(TextReader& reader)
 		else if (escaped == '"' || escaped == '\\' || escaped == '/')
 			text.push_back(escaped);
 		else
-			reader.fail("an escape in a string is one of \\\" \\\\ \\/ \\n \\t \\r \\uXXXX");
+			reader.fail(R"(an escape in a string is one of \" \\ \/ \n \t \r \uXXXX)");
 	}
 }
 

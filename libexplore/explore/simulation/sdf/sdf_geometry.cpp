@@ -23,7 +23,7 @@ double sizeAt(const XmlNode& shape, std::string_view child, double otherwise)
 
 Eigen::VectorXd sizesAt(const XmlNode& shape, std::string_view child, const Eigen::VectorXd& otherwise)
 {
-	const Eigen::VectorXd sizes = vectorAt(shape, child, otherwise);
+	Eigen::VectorXd sizes = vectorAt(shape, child, otherwise);
 	if (sizes.cwiseAbs().minCoeff() < kLeastSize_m || sizes.cwiseAbs().maxCoeff() > kMostSize_m)
 		throw InputError("<" + shape.name + "> has a zero or absurd " + std::string(child) + " '" +
 		                 shape.textAt(child) + "'; more than 0 and at most 100000 is needed");
