@@ -4,6 +4,7 @@
 #include <common/exit_codes.h>
 #include <explore/core/errors.h>
 
+#include <csignal>
 #include <iostream>
 #include <string_view>
 
@@ -44,10 +45,12 @@ int guarded(const Body& body, const Failed& failed)
 	}
 }
 
-/** guarded() for main(): an error becomes a line on standard error. */
+/** guarded() for main(): an error becomes a line on standard error. Beyond a file size limit a write fails and is
+ *  reported as any other, instead of a signal that ends the program. */
 template <class Body>
 int guardedMain(std::string_view program, const Body& body)
 {
+	std::signal(SIGXFSZ, SIG_IGN);
 	return guarded(body,
 	               [program](const std::exception& error) { std::cerr << program << ": " << error.what() << '\n'; });
 }

@@ -27,7 +27,6 @@ void catchSignals()
 	struct sigaction ignore = {};
 	ignore.sa_handler = SIG_IGN;
 	sigaction(SIGPIPE, &ignore, nullptr);
-	sigaction(SIGXFSZ, &ignore, nullptr);
 }
 
 int signalReceived()

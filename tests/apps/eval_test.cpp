@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 
 namespace
 {
-test::ProgramResult exploreEval(const std::vector<std::string>& arguments)
+test::ProgramResult exploreEval(const std::vector<std::string>& arguments, const test::Program::Setup& setup = {})
 {
-	return test::Program(EXPLORE_EVAL_PROGRAM, arguments, {}).wait();
+	return test::Program(EXPLORE_EVAL_PROGRAM, arguments, setup).wait();
 }
 
 /** Two families with doors, one without; the second has a door that the truth does not know and one too narrow. */
@@ -285,4 +285,7 @@ TEST(Eval, MistakesOnTheCommandLineAreUsageErrors)
 	EXPECT_THAT(exploreEval({"--version"}).out, testing::StartsWith("explore-eval "));
 	test::writeFile(folder / "file", "x");
 	EXPECT_EQ(exploreEval({log, "--out", (folder / "file").string()}).exit_code, 5);
+	test::Program::Setup full_disk;
+	full_disk.file_size_limit = 500;
+	EXPECT_EQ(exploreEval({log, "--out", (folder / "out").string()}, full_disk).exit_code, 5);
 }
