@@ -112,7 +112,9 @@ void writeEvaluated(const EvalPaths& paths, const Evaluated& evaluated, const st
 	writeFileAtomically(paths.frames, joined(frameHeader(), evaluated.rows.frames));
 	writeFileAtomically(paths.doors, joined(doorHeader(), evaluated.rows.doors));
 	writeFileAtomically(paths.table, evaluated.tables);
-	writeFileAtomically(paths.page, pageText(evaluated.evaluation, evaluated.tables, pictures));
+	const auto& everything = evaluated.results.everything;
+	const PageTables tables{evaluated.tables, everything ? everything->confidence.bins : std::vector<ReliabilityBin>()};
+	writeFileAtomically(paths.page, pageText(evaluated.evaluation, tables, pictures));
 	writeFileAtomically(paths.eval, evalText(evaluated.evaluation, evaluated.results));
 }
 }  // namespace explore::app

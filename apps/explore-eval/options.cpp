@@ -35,6 +35,9 @@ void addScoreOptions(CLI::App& app, EvalOptions& options)
 	               "Folder for eval.json, frames.csv, doors.csv, table.txt, index.html and pictures/; else only the "
 	               "tables are printed")
 	    ->type_name("DIR");
+	app.add_flag_callback(
+	    "--no-pictures", [&options] { options.pictures = false; },
+	    "No pictures of the worst frames, for which the logs are read a second time");
 	app.add_flag("--quiet", options.quiet, "No progress");
 }
 
@@ -49,6 +52,44 @@ CLI::App* addMergeCommand(CLI::App& app, EvalOptions& options, std::string& requ
 	return merge;
 }
 
+void addCompareCommand(CLI::App& app, EvalOptions& options, std::string& cost)
+{
+	CLI::App* compare = app.add_subcommand("compare",
+	                                       "What other configurations change: --out folders of runs over the same "
+	                                       "scenes, paired scene by scene");
+	compare->add_option("BASE", options.base, "Folder of the run that the others are compared with")
+	    ->required()
+	    ->type_name("");
+	compare->add_option("OTHER", options.others, "Folders of the other runs")->required()->type_name("");
+	compare->add_option("--out", options.out, "Folder for compare.txt and compare.json; else only printed")
+	    ->type_name("DIR");
+	compare
+	    ->add_option("--cost", cost,
+	                 "Points that a figure may get worse, else exit code 1: NAME=POINTS,... with names of " +
+	                     evaluation::costLimitNames())
+	    ->type_name("LIST");
+}
+
+void addGalleryCommand(CLI::App& app, EvalOptions& options)
+{
+	CLI::App* gallery = app.add_subcommand("gallery",
+	                                       "A page in Markdown with a picture of the first frame of each log: what is "
+	                                       "there, what was found and why");
+	gallery->add_option("LOG", options.logs, "Rawlogs with their truth beside them")->required()->type_name("");
+	addIniOption(*gallery, options);
+	addOverrideOptions(*gallery, options, "ground or mav: the ini's robot instead of the one of each log's truth");
+	gallery->add_option("--out", options.out, "Folder for scene-pictures.md and images/scenes/")
+	    ->required()
+	    ->type_name("DIR");
+}
+
+EvalCommand commandOf(const CLI::App& app)
+{
+	if (app.got_subcommand("merge")) return EvalCommand::merge;
+	if (app.got_subcommand("compare")) return EvalCommand::compare;
+	return app.got_subcommand("gallery") ? EvalCommand::gallery : EvalCommand::score;
+}
+
 void checkLogs(std::vector<std::string>& logs)
 {
 	if (logs.empty()) throw ConfigError("no log was named; give one or more rawlogs, or the command merge");
@@ -61,20 +102,25 @@ void checkLogs(std::vector<std::string>& logs)
 ParsedEvalOptions parseEvalOptions(int argc, const char* const* argv)
 {
 	ParsedEvalOptions parsed;
-	std::string require;
+	std::string require, cost;
 	CLI::App app("Scores explore-mrpt on logs with truth: doors, directions and headings.", "explore-eval");
 	app.set_version_flag("--version", std::string("explore-eval ") + EXPLORE_VERSION);
 	addScoreOptions(app, parsed.options);
 	const CLI::Option* score_require = addRequire(app, require);
 	const CLI::App* merge = addMergeCommand(app, parsed.options, require);
+	addCompareCommand(app, parsed.options, cost);
+	addGalleryCommand(app, parsed.options);
 	app.footer(
-	    "Exit codes: 0 done, 1 a requirement was missed (or internal error), 2 usage or configuration,\n"
+	    "Exit codes: 0 done, 1 a requirement was missed or a cost exceeded (or internal error), 2 usage or "
+	    "configuration,\n"
 	    "3 a log or part unreadable or damaged, 5 output cannot be written.");
 	parsed.exit_code = parseArguments(app, argc, argv);
 	if (parsed.exit_code) return parsed;
 	if (score_require->count() > 0 || (merge->parsed() && merge->get_option("--require")->count() > 0))
 		parsed.options.requirements = evaluation::parseRequirements(require);
-	if (!merge->parsed()) checkLogs(parsed.options.logs);
+	if (!cost.empty()) parsed.options.costs = evaluation::parseCostLimits(cost);
+	const EvalCommand command = parsed.options.command = commandOf(app);
+	if (command == EvalCommand::score || command == EvalCommand::gallery) checkLogs(parsed.options.logs);
 	return parsed;
 }
 }  // namespace explore::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <common/config_choices.h>
+#include <explore/evaluation/compare_text.h>
 #include <explore/evaluation/requirements.h>
 
 #include <optional>
@@ -10,16 +11,27 @@
 
 namespace explore::app
 {
+enum class EvalCommand
+{
+	score,
+	merge,
+	compare,
+	gallery,
+};
+
 struct EvalOptions : ConfigChoices
 {
-	std::vector<std::string> logs;   ///< to score
-	std::vector<std::string> parts;  ///< to merge instead: folders of earlier runs
+	EvalCommand command = EvalCommand::score;
+	std::vector<std::string> logs;    ///< to score, or to show
+	std::vector<std::string> parts;   ///< to merge: folders of earlier runs
+	std::string base;                 ///< to compare: folder of a run
+	std::vector<std::string> others;  ///< with it: folders of runs
+	std::vector<evaluation::CostLimit> costs;
 	int jobs = 1;
 	std::string out;  ///< empty = nothing is written
 	std::vector<evaluation::Requirement> requirements;
 	bool quiet = false;
-
-	[[nodiscard]] bool merges() const { return !parts.empty(); }
+	bool pictures = true;  ///< of the worst frames
 };
 
 /** What the command line asks for; after --help, --version or a usage error, which it answers itself, the exit code. */

@@ -1,5 +1,7 @@
 #include <common/exit_codes.h>
+#include <explore-eval/compare_command.h>
 #include <explore-eval/eval_outputs.h>
+#include <explore-eval/gallery.h>
 #include <explore-eval/merge_parts.h>
 #include <explore-eval/process_pool.h>
 #include <explore-eval/run.h>
@@ -49,6 +51,7 @@ Scored scoreLogs(const EvalOptions& options, const LoadedConfig& loaded)
 	for (const std::string& text : texts)
 	{
 		ScoredLog log = scoredLogOf(text);
+		if (!options.pictures) log.score.worst.clear();
 		scored.logs.push_back(std::move(log.score));
 		scored.rows.frames.push_back(std::move(log.frame_rows));
 		scored.rows.doors.push_back(std::move(log.door_rows));
@@ -124,6 +127,17 @@ int merge(const EvalOptions& options)
 
 int runEval(const EvalOptions& options)
 {
-	return options.merges() ? merge(options) : evaluate(options);
+	switch (options.command)
+	{
+		case EvalCommand::score:
+			return evaluate(options);
+		case EvalCommand::merge:
+			return merge(options);
+		case EvalCommand::compare:
+			return compareEvaluations(options);
+		case EvalCommand::gallery:
+			return makeGallery(options);
+	}
+	return kInternalError;
 }
 }  // namespace explore::app

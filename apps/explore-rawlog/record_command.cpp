@@ -1,10 +1,13 @@
 #include <common/exit_codes.h>
+#include <explore-rawlog/noise_options.h>
 #include <explore-rawlog/record_command.h>
 #include <explore-rawlog/record_options.h>
+#include <explore/config/number_text.h>
 #include <explore/core/errors.h>
 #include <explore/evaluation/truth_file.h>
 #include <explore/simulation/carriers.h>
 #include <explore/simulation/load_world.h>
+#include <explore/simulation/random.h>
 #include <explore/sources/image_folders.h>
 #include <explore/sources/rawlog_writer.h>
 
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace explore::app
 {
@@ -38,10 +42,10 @@ const Route& routeOf(const World& world, const RecordOptions& options)
 	                  (routes.empty() ? ", which has none: a --path is needed" : "; it has " + routes));
 }
 
-std::vector<TimedPose> pathOf(const RecordOptions& options)
+std::vector<TimedPose> posesIn(const std::string& file)
 {
-	std::vector<TimedPose> poses = readTumPoses(options.path);
-	if (poses.empty()) throw InputError(options.path + ": has no pose; lines 't x y z qx qy qz qw' are needed");
+	std::vector<TimedPose> poses = readTumPoses(file);
+	if (poses.empty()) throw InputError(file + ": has no pose; lines 't x y z qx qy qz qw' are needed");
 	return poses;
 }
 
@@ -60,9 +64,58 @@ std::unique_ptr<Carrier> carrierOf(RayScene& scene, const RecordOptions& options
 	if (options.path.empty())
 		return carrierOnRoute(scene, recorder.robot, config.simulated_robot, routeOf(scene.world(), options),
 		                      options.seed);
-	const std::vector<TimedPose> poses = pathOf(options);
+	const std::vector<TimedPose> poses = posesIn(options.path);
 	recorder.start = poses.front().time;
 	return carrierOnPath(scene, recorder.robot, config.simulated_robot, fromStart(poses), options.seed);
+}
+
+void demandApart(const std::vector<TimedPose>& poses, const std::string& file)
+{
+	constexpr double kApart_s = 10.0;
+	for (std::size_t i = 1; i < poses.size(); ++i)
+		if (const double apart_s = secondsBetween(poses[i - 1].time, poses[i].time); apart_s < kApart_s)
+			throw ConfigError("--poses " + file + ": pose " + std::to_string(i + 1) + " is " + formatNumber(apart_s) +
+			                  " s after the one before it; scenes are 10 s apart or more");
+}
+
+/** What was recorded, and what its user should know. */
+struct Recorded
+{
+	TruthLog truth;
+	std::vector<std::string> warnings;
+};
+
+Recorded recordWay(RayScene& scene, const RecordOptions& options, RecordConfig& config, const ObservationSink& sink)
+{
+	const auto carrier = carrierOf(scene, options, config);
+	TruthLog truth = record(scene, *carrier, config.recorder, sink);
+	return {std::move(truth), carrier->warnings()};
+}
+
+/** One frame a pose: each begins anew with noise, odometry and movers of its own. */
+Recorded recordPoses(RayScene& scene, const RecordOptions& options, RecordConfig& config, const ObservationSink& sink)
+{
+	const std::vector<TimedPose> poses = posesIn(options.poses);
+	demandApart(poses, options.poses);
+	Recorded all;
+	for (std::size_t i = 0; i < poses.size(); ++i)
+	{
+		RecorderConfig one = config.recorder;
+		one.start = poses[i].time;
+		one.seed = mixed({options.seed, i});
+		const auto carrier = carrierOnPath(scene, one.robot, config.simulated_robot, {{0.0, poses[i].pose}}, one.seed);
+		TruthLog truth = record(scene, *carrier, one, sink);
+		truth.frames.front().index = i;
+		truth.frames.front().scene = static_cast<int>(i);
+		if (i == 0)
+			all.truth = std::move(truth);
+		else
+			all.truth.frames.push_back(std::move(truth.frames.front()));
+		for (const std::string& warning : carrier->warnings())
+			all.warnings.push_back(std::string("pose ").append(std::to_string(i + 1)).append(": ").append(warning));
+	}
+	all.truth.seed = options.seed;
+	return all;
 }
 
 int recordLog(const RecordOptions& options)
@@ -74,19 +127,23 @@ int recordLog(const RecordOptions& options)
 	for (const std::string& warning : world.warnings) warn(options.world + ": " + warning);
 	if (world.doors.empty()) warn(options.world + ": labels no doors, so the truth tells of none");
 	RayScene scene(world);
-	const auto carrier = carrierOf(scene, options, config);
 
-	RawlogWriter writer(options.out);
-	TruthLog truth =
-	    record(scene, *carrier, config.recorder, [&](const mrpt::obs::CObservation& o) { writer.write(o); });
-	writer.close();
+	std::optional<RawlogWriter> writer;  // opened late: a wrong way leaves an older file alone
+	const auto sink = [&](const mrpt::obs::CObservation& observation)
+	{
+		if (!writer) writer.emplace(options.out);
+		writer->write(observation);
+	};
+	auto [truth, warnings] = (options.poses.empty() ? recordWay : recordPoses)(scene, options, config, sink);
+	writer->close();
 	truth.world = std::filesystem::path(options.world).filename().string();
 	truth.configuration = options.configuration;
 	truth.command = commandOf(options);
+	truth.noise = noiseName(config.recorder.camera);
 	const std::filesystem::path truth_path = evaluation::truthPathOf(options.out);
 	evaluation::writeTruth(truth_path, truth);
 
-	for (const std::string& warning : carrier->warnings()) warn(warning);
+	for (const std::string& warning : warnings) warn(warning);
 	std::cout << options.out << ": " << truth.frames.size() << " frames, "
 	          << (truth.frames.back().t - truth.frames.front().t) << " s; truth in " << truth_path.string() << '\n';
 	return kDone;

@@ -1,5 +1,6 @@
 #include <common/app_config.h>
 #include <common/input_paths.h>
+#include <explore-rawlog/noise_options.h>
 #include <explore-rawlog/record_options.h>
 #include <explore/config/ini.h>
 #include <explore/config/number_text.h>
@@ -31,6 +32,9 @@ void addWayOptions(CLI::App& record, RecordOptions& options)
 	way->add_option("--path", options.path,
 	                "Robot poses in the map, 't x y z qx qy qz qw' a line: the robot is moved exactly along them")
 	    ->type_name("P.tum");
+	way->add_option("--poses", options.poses,
+	                "Robot poses in the map, 10 s apart or more: one frame at each, which is a scene of its own")
+	    ->type_name("P.tum");
 	way->add_option("--drive", options.drive,
 	                "A route of the world by its name: a robot with dynamics and limits drives (or flies) it")
 	    ->type_name("NAME");
@@ -56,6 +60,7 @@ void addSensorOptions(CLI::App& record, RecordOptions& options)
 	    ->type_name("PX")
 	    ->check(CLI::Range(16, 4096).description(""));
 	record.add_option("--noise", options.noise, "none, kinect or speckle; else the sensor's own")->type_name("NAME");
+	addNoiseOptions(record, options.noise_scale, options.holes);
 	record.add_option("--rate", options.rate_hz, "Depth images a second; else 10")
 	    ->type_name("HZ")
 	    ->check(CLI::Range(0.1, 1000.0).description(""));
@@ -87,6 +92,8 @@ std::vector<std::string> overridesOf(const RecordOptions& options)
 	add("name", options.sensor);
 	if (options.width_px > 0) add("width_px", std::to_string(options.width_px));
 	add("noise", options.noise);
+	if (options.noise_scale != 1.0) add("noise_scale", formatNumber(options.noise_scale));
+	if (options.holes > 0.0) add("hole_share", formatNumber(options.holes));
 	if (options.rate_hz > 0.0) add("rate", formatNumber(options.rate_hz));
 	add("color", options.no_color ? "false" : "true");
 	overrides.insert(overrides.end(), options.set.begin(), options.set.end());
@@ -180,6 +187,7 @@ std::string commandOf(const RecordOptions& options)
 	add("--world", options.world);
 	add("--labels", options.labels);
 	add("--path", options.path);
+	add("--poses", options.poses);
 	add("--drive", options.drive);
 	add("--ini", options.ini);
 	if (options.robot) add("--robot", *options.robot == RobotKind::ground ? "ground" : "mav");
@@ -189,6 +197,7 @@ std::string commandOf(const RecordOptions& options)
 	add("--sensor", options.sensor);
 	add_number("--size", options.width_px);
 	add("--noise", options.noise);
+	command += noiseArguments(options.noise_scale, options.holes);
 	add_number("--rate", options.rate_hz);
 	add_number("--seconds", options.seconds);
 	if (options.no_color) command.append(" --no-color");

@@ -17,13 +17,14 @@ namespace explore::app
 {
 struct RecordOptions
 {
-	std::string world, labels, path, drive, out, ini, sensor, noise;
+	std::string world, labels, path, poses, drive, out, ini, sensor, noise;
 	std::optional<RobotKind> robot;
 	std::vector<double> mount;  ///< x y z [m] yaw pitch roll [deg]; empty = the usual one
 	std::vector<std::string> set;
 	std::string configuration;
 	int width_px = 0;  ///< 0 = the sensor's own; likewise below
 	double rate_hz = 0, seconds = 0;
+	double noise_scale = 1.0, holes = 0.0;
 	std::uint64_t seed = 1;
 	int threads = 1;
 	bool no_color = false;

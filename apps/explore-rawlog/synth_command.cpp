@@ -1,4 +1,5 @@
 #include <common/exit_codes.h>
+#include <explore-rawlog/noise_options.h>
 #include <explore-rawlog/synth_command.h>
 #include <explore-rawlog/synth_logs.h>
 #include <explore/config/suggestions.h>
@@ -30,6 +31,7 @@ struct SynthOptions
 	int count = 0, looks = 1, width_px = 640, jobs = 1;
 	std::uint64_t seed = 1;
 	NoiseModel noise = NoiseModel::kinect;
+	double noise_scale = 1.0, holes = 0.0;
 	std::string out;
 	bool color = false, list = false;
 };
@@ -56,6 +58,7 @@ void addOptions(CLI::App& synth, SynthOptions& options)
 	synth.add_option("--noise", options.noise, "none, kinect (default) or speckle")
 	    ->type_name("NAME")
 	    ->transform(CLI::CheckedTransformer(kNoises, CLI::ignore_case).description(""));
+	addNoiseOptions(synth, options.noise_scale, options.holes);
 	synth.add_flag("--color", options.color, "Colour images too");
 	synth.add_option("--jobs", options.jobs, "Logs made at a time; they do not depend on it")
 	    ->type_name("N")
@@ -119,6 +122,8 @@ int synthesise(const SynthOptions& options)
 	config.out = options.out;
 	config.camera = simulation::depthCamera("xtion", options.width_px);
 	config.camera.noise = options.noise;
+	config.camera.noise_scale = options.noise_scale;
+	config.camera.hole_share = options.holes;
 	config.camera.color = options.color;
 	writeLogs(tasksOf(options), config, options.jobs,
 	          [&](const SynthTask& task)

@@ -1,4 +1,5 @@
 #include <common/app_config.h>
+#include <explore-rawlog/noise_options.h>
 #include <explore-rawlog/synth_logs.h>
 #include <explore/core/errors.h>
 #include <explore/evaluation/truth_file.h>
@@ -37,6 +38,7 @@ void writeLog(const SynthTask& task, const SynthConfig& config)
 	                                          [&writer](const mrpt::obs::CObservation& o) { writer.write(o); });
 	writer.close();
 	truth.command = commandOf(task, config);
+	truth.noise = noiseName(config.camera);
 	evaluation::writeTruth(evaluation::truthPathOf(path), truth);
 }
 
@@ -118,6 +120,7 @@ std::string commandOf(const SynthTask& task, const SynthConfig& config)
 	command << "explore-rawlog synth --family " << task.family->name << " --count " << config.count << " --seed "
 	        << config.seed << " --robot " << nameOf(task.robot) << " --looks " << config.looks << " --size "
 	        << config.camera.intrinsics.width_px << " --noise " << simulation::nameOf(config.camera.noise)
+	        << noiseArguments(config.camera.noise_scale, config.camera.hole_share)
 	        << (config.camera.color ? " --color" : "") << " --out .";
 	return command.str();
 }

@@ -80,8 +80,9 @@ TEST(EvalSlurm, RequirementsAreJudgedOverAllParts)
 {
 	const Cluster cluster;
 	const auto list = (cluster.folder / "logs.txt").string(), out = (cluster.folder / "out").string();
-	EXPECT_EQ(cluster.submit({"-r", "recall.value=1", "corridor.ini", list, out}).exit_code, 0);
-	EXPECT_EQ(cluster.submit({"-r", "recall=0.99", "corridor.ini", list, out}).exit_code, 1);
+	const std::string paper = "perception.method=paper";
+	EXPECT_EQ(cluster.submit({"-r", "recall.value=1", "corridor.ini", list, out, "--set", paper}).exit_code, 0);
+	EXPECT_EQ(cluster.submit({"-r", "recall=0.99", "corridor.ini", list, out, "--set", paper}).exit_code, 1);
 	EXPECT_THAT(test::readFile(cluster.folder / "out/slurm/merge.txt"), testing::HasSubstr("recall: measured 1.0000"));
 }
 

@@ -18,8 +18,11 @@ namespace fs = std::filesystem;
 
 namespace
 {
-test::ProgramResult exploreEval(const std::vector<std::string>& arguments, const test::Program::Setup& setup = {})
+/** Logs are scored with the paper's method, whose results these tests know. */
+test::ProgramResult exploreEval(std::vector<std::string> arguments, const test::Program::Setup& setup = {})
 {
+	if (!arguments.empty() && arguments[0].ends_with(".rawlog"))
+		arguments.insert(arguments.end(), {"--set", "perception.method=paper"});
 	return test::Program(EXPLORE_EVAL_PROGRAM, arguments, setup).wait();
 }
 

@@ -124,6 +124,31 @@ TEST(Record, APathIsFollowedAtTheCamerasRate)
 	EXPECT_THAT(hall.info("log.rawlog"), AllOf(HasSubstr("CObservationRobotPose"), HasSubstr("'IDEAL': 9, 4 Hz")));
 }
 
+TEST(Record, PosesAreScenesOfTheirOwn)
+{
+	const Hall hall;
+	writeFile(testFolder() / "poses.tum",
+	          "100 4 0 0 0 0 0 1\n110 0 0.3 0 0 0 0.70710678 0.70710678\n130 4 0 0 0 0 0 1\n");
+	const auto result =
+	    hall.record({"--world", "hall.sdf", "--poses", (testFolder() / "poses.tum").string(), "--out", "log.rawlog"});
+	ASSERT_EQ(result.exit_code, 0) << result.err;
+	EXPECT_EQ(result.err, "");
+	const TruthLog truth = hall.truth("log.truth.json");
+	ASSERT_EQ(truth.frames.size(), 3U);
+	for (std::size_t i = 0; i < 3; ++i)
+	{
+		EXPECT_EQ(truth.frames[i].index, i);
+		EXPECT_EQ(truth.frames[i].scene, static_cast<int>(i));
+		EXPECT_DOUBLE_EQ(truth.frames[i].t, i == 0 ? 100.0 : i == 1 ? 110.0 : 130.0);
+	}
+	EXPECT_NEAR(truth.frames[1].map_from_robot.y(), 0.3, 1e-9);
+	EXPECT_NEAR(truth.frames[1].map_from_robot.yaw(), M_PI / 2, 1e-6);
+	ASSERT_EQ(truth.frames[2].doors.size(), 1U);
+	EXPECT_EQ(truth.frames[2].doors[0].visibility, Visibility::visible);
+	EXPECT_THAT(truth.command, HasSubstr("--poses"));
+	EXPECT_THAT(hall.info("log.rawlog"), AllOf(HasSubstr("'XTION': 3"), HasSubstr("accelerometer: yes")));
+}
+
 TEST(Record, WarnsOfAPathThatTouchesOrLeavesTheWorld)
 {
 	const Hall hall;
@@ -179,6 +204,9 @@ TEST(Record, SaysWhatIsWrong)
 	expectRefused({"--world", "hall.sdf", "--path", "empty.tum", "--out", "o.rawlog"}, 3, "has no pose");
 	expectRefused({"--world", "hall.sdf", "--path", "back.tum", "--out", "o.rawlog"}, 2, "must increase");
 	expectRefused({"--world", "hall.sdf", "--out", "o.rawlog"}, 2, "--path");
+	writeFile(testFolder() / "near.tum", "0 0 0 0 0 0 0 1\n3 1 0 0 0 0 0 1\n");
+	expectRefused({"--world", "hall.sdf", "--poses", (testFolder() / "near.tum").string(), "--out", "o.rawlog"}, 2,
+	              "10 s apart or more");
 	expectRefused({"--world", "hall.sdf", "--drive", "down", "--sensor", "lidar", "--out", "o.rawlog"}, 2, "xtion");
 	expectRefused({"--world", "hall.sdf", "--drive", "down", "--noise", "loud", "--out", "o.rawlog"}, 2, "speckle");
 	expectRefused({"--world", "hall.sdf", "--drive", "down", "--set", "robot.radus=1", "--out", "o.rawlog"}, 2,

@@ -99,6 +99,29 @@ TEST(Synth, NamesTheCommandThatMakesTheLogAgain)
 	          readFile(folder / "first" / "stairwell-ground.truth.json"));
 }
 
+TEST(Synth, WorseNoiseIsToldByTheTruthAndMadeAgain)
+{
+	const auto folder = freshFolder();
+	const std::vector<std::string> what = {"--family", "frontal_door", "--count", "2", "--robot", "ground"};
+	const auto with = [&](const char* name, std::vector<std::string> more)
+	{
+		more.insert(more.begin(), what.begin(), what.end());
+		EXPECT_EQ(synth(folder / name, more).exit_code, 0);
+		return folder / name / "frontal_door-ground.rawlog";
+	};
+	const fs::path usual = with("usual", {}), same = with("same", {"--noise-scale", "1", "--holes", "0"});
+	const fs::path worse = with("worse", {"--noise-scale", "2", "--holes", "0.3"});
+	EXPECT_EQ(readFile(usual), readFile(same));
+	EXPECT_NE(readFile(usual), readFile(worse));
+	const auto truthOf = [](const fs::path& log)
+	{ return explore::evaluation::readTruth(explore::evaluation::truthPathOf(log)); };
+	EXPECT_EQ(truthOf(usual).command, truthOf(same).command);
+	EXPECT_EQ(truthOf(worse).noise, "kinect x2 holes 0.3");
+	EXPECT_THAT(truthOf(worse).command, HasSubstr("--noise kinect --noise-scale 2 --holes 0.3 --out"));
+	EXPECT_EQ(exploreRawlog({"synth", "--family", "window", "--count", "1", "--holes", "1.5", "--out", "x"}).exit_code,
+	          2);
+}
+
 TEST(Synth, ListsTheFamilies)
 {
 	const auto result = exploreRawlog({"synth", "--list"});

@@ -32,7 +32,12 @@ const std::vector<DepthFrame>& frames()
 
 const ExplorerConfig& config()
 {
-	static const ExplorerConfig kConfig;
+	static const ExplorerConfig kConfig = []
+	{
+		ExplorerConfig paper;
+		paper.perception.method = PerceptionMethod::paper;  // what the peer does
+		return paper;
+	}();
 	return kConfig;
 }
 

@@ -59,7 +59,9 @@ TEST(Peer, BothSidesFindTheDoorsInView)
 		const auto truth = doorsInView(frame, 4.7, 0.3);
 		expected += truth.size();
 		ExplorerState state;
-		missed_by_us += missed(truth, step(frame, state, {}).percepts.doors);
+		ExplorerConfig paper;
+		paper.perception.method = PerceptionMethod::paper;
+		missed_by_us += missed(truth, step(frame, state, paper).percepts.doors);
 		missed_by_peer += missed(truth, exploreWithPcl(frame, {}).doors);
 	}
 	ASSERT_GE(expected, 10U);

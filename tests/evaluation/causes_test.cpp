@@ -21,6 +21,7 @@ struct Case
 
 	Case()
 	{
+		perception.method = PerceptionMethod::paper;
 		truth.doors = {test::openDoor("a", 3, 0, 1.0)};
 		percepts.ground = Ground{};
 		percepts.walls = {wallAt(3.0)};
@@ -45,7 +46,8 @@ struct Case
 	{
 		const auto reports = reportsOf(doors, truth.map_from_robot, RobotConfig());
 		const auto pairs = pairDoors(reports, truth.doors, 0.30);
-		const CauseInput input{truth, intrinsics, robot_from_camera, percepts, perception, reports, pairs};
+		const CauseInput input{truth,      intrinsics,    robot_from_camera, percepts,
+		                       perception, RobotConfig(), reports,           pairs};
 		std::vector<Cause> found;
 		for (const DoorPair& pair : pairs)
 			if (pair.outcome == Outcome::miss || pair.outcome == Outcome::false_alarm)
@@ -137,6 +139,50 @@ TEST(CausesOfMisses, FoundButMisplacedOrMisjudged)
 	c.doors.clear();
 	c.report(3, 0, 1.0, Verdict::closed);
 	EXPECT_EQ(c.causes(), Causes{Cause::evidence_wrong});
+}
+
+TEST(CausesOfMisses, WhatWasFoundAndNotPassed)
+{
+	Case c;
+	c.report(3, 0, 1.0, Verdict::partial);
+	EXPECT_EQ(c.causes(), Causes{Cause::undecided});
+	c.doors[0].verdict = Verdict::unknown;
+	EXPECT_EQ(c.causes(), Causes{Cause::undecided});
+	c.doors[0].verdict = Verdict::ajar;
+	c.doors[0].clear_width_m = 0.3;
+	EXPECT_EQ(c.causes(), Causes{Cause::clearance_wrong});
+}
+
+/** With another method than the paper's its gap sizes, scan heights and need of a floor are no causes. */
+TEST(CausesOfMisses, OfTheFullMethodAreNotThePapersLimits)
+{
+	Case c;
+	c.perception.method = PerceptionMethod::full;
+	c.truth.doors[0].width_m = c.truth.doors[0].clear_width_m = 0.62;
+	EXPECT_EQ(c.causes(), Causes{Cause::evidence_wrong});
+	c.truth.doors[0].clear_width_m = 0.58;  // the robot needs 0.54 m, and widths are 5 cm off
+	EXPECT_EQ(c.causes(), Causes{Cause::size_limit});
+	c.truth.doors[0].width_m = c.truth.doors[0].clear_width_m = 2.4;
+	EXPECT_EQ(c.causes(), Causes{Cause::evidence_wrong});
+	c.percepts.ground.reset();
+	EXPECT_EQ(c.causes(), Causes{Cause::evidence_wrong});
+	c.percepts.ground = Ground{};
+	c.percepts.ground->plane.d_m = -0.2;
+	EXPECT_EQ(c.causes(), Causes{Cause::ground_wrong}) << "a floor at the wrong height is wrong for all";
+}
+
+TEST(CausesOfMisses, OfTheFullMethodAJambMayBeSeenInPart)
+{
+	Case c;
+	c.truth.doors = {test::openDoor("a", 1.5, 0, 1.0)};  // the image shows 0.39 … 1.61 m of its height
+	c.percepts.walls = {Case::wallAt(1.5)};
+	c.perception.door_gaps.second_scan_height_m = 1.7;
+	EXPECT_EQ(c.causes(), Causes{Cause::jamb_out_of_view}) << "the paper's second scan is above the image";
+	c.perception.method = PerceptionMethod::full;
+	EXPECT_EQ(c.causes(), Causes{Cause::evidence_wrong});
+	c.truth.doors = {test::openDoor("a", 0.9, 0, 0.7)};
+	c.percepts.walls = {Case::wallAt(0.9)};
+	EXPECT_EQ(c.causes(), Causes{Cause::jamb_out_of_view}) << "0.63 … 1.37 m is less than half";
 }
 
 TEST(CausesOfFalseAlarms, ASecondReportIsOfTheAssociation)

@@ -54,12 +54,24 @@ TEST(Page, EscapesWhatItShowsAndStaysSmall)
 	evaluation.logs[0].log = "<b>&\"";
 	const std::string picture(6'000'000, 'x');
 	const Selected selected{0, evaluation.logs[0].worst[0]};
-	const std::string page = pageText(evaluation, "a < b", {{selected, picture}, {selected, picture}});
+	const std::string page = pageText(evaluation, {"a < b", {}}, {{selected, picture}, {selected, picture}});
 	EXPECT_THAT(page, HasSubstr("<pre>a &lt; b</pre>"));
 	EXPECT_THAT(page, HasSubstr("&lt;b&gt;&amp;&quot;"));
 	EXPECT_THAT(page, Not(HasSubstr("<b>")));
 	EXPECT_LT(page.size(), 15'000'000U);
 	EXPECT_THAT(page, HasSubstr("1 more are in the folder pictures"));
+}
+
+TEST(Page, DrawsTheReliabilityOfTheConfidences)
+{
+	const std::vector<ReliabilityBin> bins{{0.1, 0.3, 50, 0.25, 0.0}, {0.9, 1.0, 200, 0.95, 1.0}};
+	const std::string page = pageText({}, {"tables", bins}, {});
+	EXPECT_THAT(page, HasSubstr("<svg role=\"img\""));
+	EXPECT_THAT(page, HasSubstr("<circle cx=\"140.0\" cy=\"376.0\""));  // 50 + 360 · 0.25, at the foot
+	EXPECT_THAT(page, HasSubstr("<circle cx=\"392.0\" cy=\"16.0\""));   // 50 + 360 · 0.95, at the top
+	EXPECT_THAT(page, HasSubstr("0.900 to 1.000: 1.000 right of 200"));
+	EXPECT_THAT(page, Not(HasSubstr("http")));
+	EXPECT_THAT(pageText({}, {"tables", {}}, {}), Not(HasSubstr("<svg")));
 }
 
 TEST(WorstFrames, AreTheWorstButFewOfAKind)

@@ -106,26 +106,26 @@ TEST(Statistics, AurocIsTheShareOfOrderedPairs)
 				ordered += right.confidence > wrong.confidence ? 1.0 : right.confidence == wrong.confidence ? 0.5 : 0.0;
 			}
 		ASSERT_GT(pairs, 0);
-		EXPECT_NEAR(*auroc(candidates), ordered / pairs, 1e-12);
+		EXPECT_NEAR(*auroc(byConfidence(candidates)), ordered / pairs, 1e-12);
 	}
-	EXPECT_FALSE(auroc({{0.9, true}, {0.1, true}}));
+	EXPECT_FALSE(auroc(byConfidence({{0.9, true}, {0.1, true}})));
 	EXPECT_FALSE(auroc({}));
 }
 
 TEST(Statistics, CalibrationErrorIsTheMeanGapOfTheBins)
 {
 	EXPECT_FALSE(calibrationError({}));
-	EXPECT_NEAR(*calibrationError(std::vector<Candidate>(30, {0.75, true})), 0.25, 1e-12);
+	EXPECT_NEAR(*calibrationError(byConfidence(std::vector<Candidate>(30, {0.75, true}))), 0.25, 1e-12);
 	std::vector<Candidate> even(30, {0.5, true});
 	for (std::size_t i = 0; i < 15; ++i) even[i].right = false;
-	EXPECT_NEAR(*calibrationError(even), 0.0, 1e-12) << "half of those that say one half are right";
+	EXPECT_NEAR(*calibrationError(byConfidence(even)), 0.0, 1e-12) << "half of those that say one half are right";
 	std::vector<Candidate> perfect;
 	for (int i = 0; i < 30; ++i) perfect.push_back({i < 15 ? 0.0 : 1.0, i >= 15});
-	EXPECT_NEAR(*calibrationError(perfect), 0.0, 1e-12);
+	EXPECT_NEAR(*calibrationError(byConfidence(perfect)), 0.0, 1e-12);
 	std::vector<Candidate> opposite;
 	for (int i = 0; i < 30; ++i) opposite.push_back({i < 15 ? 0.0 : 1.0, i < 15});
 	// 15 bins of two: the middle one holds a 0 that is right and a 1 that is wrong, and looks calibrated.
-	EXPECT_NEAR(*calibrationError(opposite), 28.0 / 30.0, 1e-12);
+	EXPECT_NEAR(*calibrationError(byConfidence(opposite)), 28.0 / 30.0, 1e-12);
 }
 
 TEST(Statistics, CurveGoesThroughEveryThreshold)

@@ -79,14 +79,15 @@ TEST(Fields, AvoiderHasThePapersDefaults)
 	Recorder recorder;
 	AvoiderConfig config;
 	describe(recorder, config);
-	EXPECT_THAT(recorder.values(),
-	            UnorderedElementsAre(Pair("avoider.method", 0), Pair("avoider.sector_deg", DoubleNear(45, 1e-9)),
-	                                 Pair("avoider.resolution_deg", DoubleNear(2, 1e-9)), Pair("avoider.max_range", 5),
-	                                 Pair("avoider.clearance", 0.05), Pair("avoider.step_height", 0.05),
-	                                 Pair("avoider.max_elevation_deg", DoubleNear(30, 1e-9)),
-	                                 Pair("avoider.elevation_step_deg", DoubleNear(10, 1e-9))));
-	EXPECT_THAT(recorder.names(),
-	            testing::ElementsAre("open_path", "CHolonomicND", "CHolonomicVFF", "CHolonomicFullEval"));
+	EXPECT_THAT(
+	    recorder.values(),
+	    UnorderedElementsAre(Pair("avoider.method", 0), Pair("avoider.leave_out", 0),
+	                         Pair("avoider.sector_deg", DoubleNear(45, 1e-9)),
+	                         Pair("avoider.resolution_deg", DoubleNear(0.5, 1e-9)), Pair("avoider.max_range", 5),
+	                         Pair("avoider.clearance", 0.05), Pair("avoider.clearance_range", 1.0),
+	                         Pair("avoider.step_height", 0.05), Pair("avoider.max_elevation_deg", DoubleNear(30, 1e-9)),
+	                         Pair("avoider.elevation_step_deg", DoubleNear(10, 1e-9))));
+	EXPECT_THAT(recorder.names(), testing::ElementsAre("none", "swept_corridor", "unseen_blocks"));
 }
 
 TEST(Fields, HeadingAndGuardShareASection)

@@ -20,7 +20,7 @@ class MrptAvoider : public testing::TestWithParam<AvoiderMethod>
 protected:
 	static Avoidance run(const AvoiderInput& input)
 	{
-		AvoiderConfig config;
+		AvoiderConfig config = test::evenClearance();
 		config.method = GetParam();
 		return avoid(input, RobotConfig(), config);
 	}

@@ -15,6 +15,14 @@ inline Plane floorBelow(double height_m)
 	return {Eigen::Vector3d::UnitZ(), height_m};
 }
 
+/** The whole clearance is asked for at any distance, so that the hull is the same cylinder everywhere. */
+inline AvoiderConfig evenClearance()
+{
+	AvoiderConfig config;
+	config.clearance_range_m = 1e12;
+	return config;
+}
+
 /** Points every 2 cm of an upright wall from a to b, 0.1 m to 1.5 m high. */
 inline void addWall(PointCloud& cloud, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {

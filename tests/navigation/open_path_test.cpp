@@ -13,6 +13,7 @@ namespace explore
 namespace
 {
 using test::addWall;
+using test::evenClearance;
 using test::floorBelow;
 using test::onFloor;
 using test::randomCloud;
@@ -64,7 +65,7 @@ TEST(OpenPath, FanEqualsBruteForceOverRandomPoints)
 {
 	std::mt19937 random(7);
 	std::uniform_real_distribution<double> angle(-kPi, kPi), radius(0.05, 0.6);
-	AvoiderConfig config;
+	AvoiderConfig config = evenClearance();
 	config.step_height_m = 0.0;
 	for (int trial = 0; trial < 60; ++trial)
 	{
@@ -81,7 +82,7 @@ TEST(OpenPath, FanEqualsBruteForceOverRandomPoints)
 		for (std::size_t k = 0; k < fan.count; ++k)
 			ASSERT_NEAR(
 			    open[k],
-			    bruteForce(cloud, fan.at(k).azimuth_rad, robot.radius_m + config.clearance_m, config.max_range_m), 1e-9)
+			    bruteForce(cloud, fan.at(k).azimuth_rad, robot.radius_m + config.clearance_m, config.max_range_m), 1e-6)
 			    << "trial " << trial << ", direction " << k;
 	}
 }
@@ -95,7 +96,7 @@ TEST(OpenPath, SingleDirectionsAndAnyFanAgree)
 	input.ground = floorBelow(5.0);
 	RobotConfig robot;
 	robot.height_m = 10.0;
-	const OpenPath open_path(input, robot, AvoiderConfig());
+	const OpenPath open_path(input, robot, evenClearance());
 	for (int trial = 0; trial < 100; ++trial)
 	{
 		DirectionFan fan{angle(random), step(random), 0};
@@ -112,7 +113,7 @@ TEST(OpenPath, FlightEqualsMarchingTheCylinderThroughTheCloud)
 	RobotConfig robot = mav();
 	robot.min_altitude_m = 0.0;
 	robot.max_altitude_m = 100.0;
-	const AvoiderConfig config;
+	const AvoiderConfig config = evenClearance();
 	const double radius = robot.radius_m + config.clearance_m, half_height = 0.5 * robot.height_m + config.clearance_m;
 	constexpr double kStep_m = 0.0005;
 	int hits = 0;
@@ -152,7 +153,7 @@ TEST(OpenPath, FlightEqualsMarchingTheCylinderThroughTheCloud)
 TEST(OpenPath, WallAheadIsItsDistanceMinusTheHull)
 {
 	const PointCloud cloud = wallCloud({2.0, -3.0}, {2.0, 3.0});
-	const OpenPath open_path(onFloor(cloud), RobotConfig(), AvoiderConfig());
+	const OpenPath open_path(onFloor(cloud), RobotConfig(), evenClearance());
 	EXPECT_NEAR(open_path.along(Direction{0.0}), 2.0 - 0.27, 1e-3);
 	EXPECT_NEAR(open_path.along(Direction{0.5}), (2.0 - 0.27) / std::cos(0.5), 2e-3);
 	EXPECT_DOUBLE_EQ(open_path.along(Direction{kPi}), 5.0);
@@ -162,7 +163,7 @@ TEST(OpenPath, PointBesideTheCorridorDoesNotCap)
 {
 	PointCloud cloud;
 	cloud.push_back({1.0F, 0.28F, 0.3F});  // the paper's projection would cap d(0) at 1 m
-	const OpenPath open_path(onFloor(cloud), RobotConfig(), AvoiderConfig());
+	const OpenPath open_path(onFloor(cloud), RobotConfig(), evenClearance());
 	EXPECT_DOUBLE_EQ(open_path.along(Direction{0.0}), 5.0);
 	EXPECT_LT(open_path.along(Direction{0.1}), 1.0);
 }
@@ -174,7 +175,7 @@ TEST(OpenPath, DoorwayThatJustFitsAndOneThatJustDoesNot)
 		PointCloud cloud;
 		addWall(cloud, {1.5, half_width}, {1.5, 3.0});
 		addWall(cloud, {1.5, -half_width}, {1.5, -3.0});
-		const double open = OpenPath(onFloor(cloud), RobotConfig(), AvoiderConfig()).along(Direction{0.0});
+		const double open = OpenPath(onFloor(cloud), RobotConfig(), evenClearance()).along(Direction{0.0});
 		if (half_width > 0.27)
 			EXPECT_DOUBLE_EQ(open, 5.0);
 		else
@@ -182,11 +183,31 @@ TEST(OpenPath, DoorwayThatJustFitsAndOneThatJustDoesNot)
 	}
 }
 
+TEST(OpenPath, ClearanceFadesToAFifthWithDistance)
+{
+	AvoiderConfig config;
+	config.clearance_m = 0.10;
+	config.clearance_range_m = 1.0;
+	// Distance from the robot's centre, then the half width of a gap that is just too narrow and one that is just not.
+	for (const auto& [ahead, half_width] :
+	     std::vector<std::pair<double, double>>{{0.45, 0.296}, {0.72, 0.27}, {3.0, 0.24}})
+		for (const double off : {-0.003, 0.003})
+		{
+			const double lateral = half_width + off;
+			PointCloud cloud;
+			const double x = std::sqrt(ahead * ahead - lateral * lateral);
+			for (const double side : {1.0, -1.0})
+				cloud.push_back({static_cast<float>(x), static_cast<float>(side * lateral), 0.3F});
+			const double open = OpenPath(onFloor(cloud), RobotConfig(), config).along(Direction{0.0});
+			EXPECT_EQ(open == 5.0, off > 0.0) << "gap " << 2.0 * lateral << " m wide at " << ahead << " m: " << open;
+		}
+}
+
 TEST(OpenPath, PointInsideTheHullBlocksOnlyTheWayTowardIt)
 {
 	PointCloud cloud;
 	cloud.push_back({0.0F, 0.1F, 0.3F});
-	const OpenPath open_path(onFloor(cloud), RobotConfig(), AvoiderConfig());
+	const OpenPath open_path(onFloor(cloud), RobotConfig(), evenClearance());
 	EXPECT_EQ(open_path.along(Direction{0.5 * kPi}), 0.0);
 	EXPECT_EQ(open_path.along(Direction{0.1}), 0.0);
 	EXPECT_DOUBLE_EQ(open_path.along(Direction{-0.1}), 5.0);
@@ -201,7 +222,7 @@ TEST(OpenPath, GroundRobotIgnoresWhatItRollsOverAndWhatHangsAboveIt)
 	{
 		PointCloud cloud;
 		cloud.push_back({1.0F, 0.0F, height});
-		const double open = OpenPath(onFloor(cloud), RobotConfig(), AvoiderConfig()).along(Direction{0.0});
+		const double open = OpenPath(onFloor(cloud), RobotConfig(), evenClearance()).along(Direction{0.0});
 		EXPECT_NEAR(open, blocks ? 0.73 : 5.0, 1e-6) << "height " << height;
 	}
 }
@@ -212,9 +233,9 @@ TEST(OpenPath, DropBlocksWhereTheFloorEnds)
 	PointCloud cloud;
 	cloud.push_back({3.0F, 0.0F, -1.0F});
 	AvoiderInput input = onFloor(cloud);
-	EXPECT_NEAR(OpenPath(input, RobotConfig(), AvoiderConfig()).along(Direction{0.0}), 3.0 - 0.27, 1e-6);
+	EXPECT_NEAR(OpenPath(input, RobotConfig(), evenClearance()).along(Direction{0.0}), 3.0 - 0.27, 1e-6);
 	input.sensor_in_robot = Eigen::Vector3d(0.0, 0.0, 0.5);
-	EXPECT_NEAR(OpenPath(input, RobotConfig(), AvoiderConfig()).along(Direction{0.0}), 1.0 - 0.27, 1e-6);
+	EXPECT_NEAR(OpenPath(input, RobotConfig(), evenClearance()).along(Direction{0.0}), 1.0 - 0.27, 1e-6);
 }
 
 TEST(OpenPath, NothingIsLowWhereNoFloorWasSeen)
@@ -223,9 +244,9 @@ TEST(OpenPath, NothingIsLowWhereNoFloorWasSeen)
 	cloud.push_back({1.0F, 0.0F, -0.45F});
 	AvoiderInput input = onFloor(cloud);
 	input.ground.reset();
-	EXPECT_NEAR(OpenPath(input, RobotConfig(), AvoiderConfig()).along(Direction{0.0}), 0.73, 1e-6);
+	EXPECT_NEAR(OpenPath(input, RobotConfig(), evenClearance()).along(Direction{0.0}), 0.73, 1e-6);
 	cloud.z[0] = 0.7F;
-	EXPECT_DOUBLE_EQ(OpenPath(input, RobotConfig(), AvoiderConfig()).along(Direction{0.0}), 5.0);
+	EXPECT_DOUBLE_EQ(OpenPath(input, RobotConfig(), evenClearance()).along(Direction{0.0}), 5.0);
 }
 
 TEST(OpenPath, TiltedFrameMeasuresAlongTheFloor)
@@ -239,7 +260,7 @@ TEST(OpenPath, TiltedFrameMeasuresAlongTheFloor)
 		cloud.push_back((robot_from_level * Eigen::Vector3d(2.0, 0.4, z)).cast<float>());
 	AvoiderInput input = onFloor(cloud);
 	input.ground = Plane{robot_from_level * Eigen::Vector3d::UnitZ(), 0.5};
-	const OpenPath open_path(input, RobotConfig(), AvoiderConfig());
+	const OpenPath open_path(input, RobotConfig(), evenClearance());
 	EXPECT_NEAR(open_path.along(Direction{std::atan2(0.4, 2.0)}), std::hypot(2.0, 0.4) - 0.27, 1e-5);
 	EXPECT_DOUBLE_EQ(open_path.along(Direction{0.0}), 5.0);
 }
@@ -249,14 +270,14 @@ TEST(OpenPath, FlightBandEndsClimbAndDescent)
 	const PointCloud cloud;
 	AvoiderInput input = onFloor(cloud);
 	input.ground = floorBelow(1.4);  // the body's centre flies 1.4 m above the floor
-	const OpenPath open_path(input, mav(), AvoiderConfig());
+	const OpenPath open_path(input, mav(), evenClearance());
 	EXPECT_NEAR(open_path.along(Direction{0.0, kPi / 6}), 0.6 / 0.5, 1e-9);
 	EXPECT_NEAR(open_path.along(Direction{0.0, -kPi / 6}), 0.9 / 0.5, 1e-9);
 	EXPECT_DOUBLE_EQ(open_path.along(Direction{0.0, 0.0}), 5.0);
 	input.ground = floorBelow(2.3);
-	EXPECT_EQ(OpenPath(input, mav(), AvoiderConfig()).along(Direction{0.0, 0.1}), 0.0);
+	EXPECT_EQ(OpenPath(input, mav(), evenClearance()).along(Direction{0.0, 0.1}), 0.0);
 	input.ground.reset();
-	EXPECT_EQ(OpenPath(input, mav(), AvoiderConfig()).along(Direction{0.0, -0.1}), 0.0);
+	EXPECT_EQ(OpenPath(input, mav(), evenClearance()).along(Direction{0.0, -0.1}), 0.0);
 }
 
 TEST(OpenPath, MavPassesOverAndUnderWhatItsBodyClears)
@@ -265,16 +286,16 @@ TEST(OpenPath, MavPassesOverAndUnderWhatItsBodyClears)
 	cloud.push_back({1.0F, 0.0F, 0.18F});
 	AvoiderInput input = onFloor(cloud);
 	input.ground = floorBelow(1.0);
-	const OpenPath open_path(input, mav(), AvoiderConfig());
+	const OpenPath open_path(input, mav(), evenClearance());
 	EXPECT_DOUBLE_EQ(open_path.along(Direction{0.0, 0.0}), 5.0);  // half height 0.125 + clearance 0.05
 	cloud.z[0] = 0.17F;
-	EXPECT_NEAR(OpenPath(input, mav(), AvoiderConfig()).along(Direction{0.0, 0.0}), 0.65, 1e-6);
+	EXPECT_NEAR(OpenPath(input, mav(), evenClearance()).along(Direction{0.0, 0.0}), 0.65, 1e-6);
 }
 
 TEST(OpenPath, EmptyCloudIsOpenToTheRange)
 {
 	const PointCloud cloud;
-	AvoiderConfig config;
+	AvoiderConfig config = evenClearance();
 	config.max_range_m = 8.0;
 	EXPECT_DOUBLE_EQ(OpenPath(onFloor(cloud), RobotConfig(), config).along(Direction{0.7}), 8.0);
 }

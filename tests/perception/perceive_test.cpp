@@ -13,13 +13,21 @@ namespace explore
 namespace
 {
 using mrpt::poses::CPose3D;
+/** The method whose stages these tests are about; full is tested in openings_test.cpp. */
+PerceptionConfig paper()
+{
+	PerceptionConfig config;
+	config.method = PerceptionMethod::paper;
+	return config;
+}
+
 constexpr double kDegree = std::numbers::pi / 180;
 const CPose3D kMount(0.1, 0.0, 0.6, 0, 0, 0);
 
 Percepts perceiveScene(const test::Scene& scene, const CPose3D& map_from_robot, const test::CameraNoise& noise,
                        const CPose3D& mount = kMount)
 {
-	return perceive(test::renderFrame(scene, map_from_robot, mount, test::xtionIntrinsics(), noise), {});
+	return perceive(test::renderFrame(scene, map_from_robot, mount, test::xtionIntrinsics(), noise), paper());
 }
 
 /** A room with one wall at x = 3 that has a door of `width_m` around y = 0, and space behind. */
@@ -134,7 +142,7 @@ TEST(Perceive, UnorganisedCloudGivesWhatItsImageGives)
 			if (frame.image.at(u, v) > 0)
 				cloud.points_in_camera.push_back(
 				    (frame.image.at(u, v) * rayOfPixel(frame.image.intrinsics, u, v)).cast<float>());
-	const Percepts a = perceive(frame, {}), b = perceive(cloud, {});
+	const Percepts a = perceive(frame, paper()), b = perceive(cloud, paper());
 	ASSERT_EQ(a.doors.size(), 1U);
 	ASSERT_EQ(b.doors.size(), 1U);
 	EXPECT_LT((a.doors[0].center - b.doors[0].center).norm(), 0.05);
@@ -144,13 +152,13 @@ TEST(Perceive, SameSeedSameResultOtherSeedSameDoor)
 {
 	const DepthFrame frame = test::renderFrame(frontalDoor(1.0), {}, kMount, test::xtionIntrinsics(),
 	                                           {.axial_scale = 1.0, .dropout_share = 0.05});
-	const Percepts a = perceive(frame, {}), b = perceive(frame, {});
+	const Percepts a = perceive(frame, paper()), b = perceive(frame, paper());
 	ASSERT_EQ(a.walls.size(), b.walls.size());
 	for (std::size_t i = 0; i < a.walls.size(); ++i) EXPECT_EQ(a.walls[i].plane.normal, b.walls[i].plane.normal);
 	EXPECT_EQ(a.obstacles_in_robot.x, b.obstacles_in_robot.x);
 	for (int seed = 2; seed < 12; ++seed)
 	{
-		PerceptionConfig config;
+		PerceptionConfig config = paper();
 		config.seed = seed;
 		const Percepts other = perceive(frame, config);
 		ASSERT_EQ(other.doors.size(), 1U) << "seed " << seed;
@@ -182,11 +190,11 @@ TEST(Perceive, DarkFrameFindsNothing)
 	DepthFrame frame;
 	frame.image.intrinsics = test::xtionIntrinsics(64, 48);
 	frame.image.depth_m.assign(64 * 48, 0.0F);
-	const Percepts percepts = perceive(frame, {});
+	const Percepts percepts = perceive(frame, paper());
 	EXPECT_FALSE(percepts.ground);
 	EXPECT_TRUE(percepts.walls.empty() && percepts.doors.empty() && percepts.vanishing_points.empty());
 	EXPECT_EQ(percepts.near_field.valid_pixels, 0U);
-	EXPECT_TRUE(perceive(DepthFrame{}, {}).obstacles_in_robot.empty());
+	EXPECT_TRUE(perceive(DepthFrame{}, paper()).obstacles_in_robot.empty());
 }
 }  // namespace
 }  // namespace explore

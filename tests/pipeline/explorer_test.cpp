@@ -138,7 +138,7 @@ TEST(Step, LastGroundIsCarriedOnAsUnseen)
 	const StepResult unseen = step(dark(2), state, {});
 	ASSERT_TRUE(unseen.percepts.ground);
 	EXPECT_FALSE(unseen.percepts.ground->seen);
-	EXPECT_EQ(unseen.percepts.ground->camera_height_m, seen.percepts.ground->camera_height_m);
+	EXPECT_NEAR(unseen.percepts.ground->camera_height_m, seen.percepts.ground->camera_height_m, 1e-9);
 }
 
 TEST(Step, NamesEveryStageOnceInOrder)

@@ -37,9 +37,12 @@ std::vector<Replayed> replay()
 	const auto source = makeSource(config, logger);
 	std::vector<Replayed> frames;
 	ExplorerState state;
+	// The log's walls have no thickness, which the full method relies on; it is the anchor of the paper's method.
+	ExplorerConfig paper;
+	paper.perception.method = PerceptionMethod::paper;
 	while (auto frame = source->next())
 	{
-		StepResult result = step(*frame, state, {});
+		StepResult result = step(*frame, state, paper);
 		frames.push_back({std::move(*frame), std::move(result)});
 	}
 	return frames;

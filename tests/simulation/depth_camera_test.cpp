@@ -169,23 +169,29 @@ TEST(DepthCamera, WindowPanesLetLessThroughTheSteeperTheyAreSeen)
 	}
 }
 
-TEST(DepthCamera, HolesTakeTheirShareInBlobs)
+TEST(DepthCamera, HolesTakeTheirShareInBlotchesAndPixelByPixel)
 {
 	World world;
 	addWall(world, 2.0);
-	DepthCameraConfig config = exactCamera(640);
-	config.hole_share = 0.25;
-	const DepthImage image = shotOf(world, config).depth;
-	EXPECT_NEAR(1.0 - returnShare(image), 0.25, 0.03);
-	std::size_t lost = 0, beside_lost = 0;
-	for (int v = 0; v < 480; ++v)
-		for (int u = 1; u < 640; ++u)
-			if (image.at(u, v) == 0.0F)
+	for (const double share : {0.1, 0.3, 0.6})
+	{
+		DepthCameraConfig config = exactCamera(640);
+		config.hole_share = share;
+		const DepthImage image = shotOf(world, config).depth;
+		EXPECT_NEAR(1.0 - returnShare(image), share, 0.03);
+		double lost = 0, beside_lost = 0, alone = 0;
+		for (int v = 1; v < 479; ++v)
+			for (int u = 1; u < 639; ++u)
 			{
-				++lost;
-				beside_lost += image.at(u - 1, v) == 0.0F ? 1 : 0;
+				if (image.at(u, v) != 0.0F) continue;
+				const bool left = image.at(u - 1, v) == 0.0F, right = image.at(u + 1, v) == 0.0F;
+				lost += 1;
+				beside_lost += left ? 1 : 0;
+				alone += !left && !right && image.at(u, v - 1) != 0.0F && image.at(u, v + 1) != 0.0F ? 1 : 0;
 			}
-	EXPECT_GT(static_cast<double>(beside_lost) / static_cast<double>(lost), 0.75) << "a lone pixel would be 0.25";
+		EXPECT_GT(beside_lost / lost, share + 0.4 * (1.0 - share)) << "lone pixels would be " << share;
+		EXPECT_GT(alone / lost, 0.02) << "some are lone pixels";
+	}
 }
 
 TEST(DepthCamera, PictureShowsMaterialsShadedByTheirOrientation)

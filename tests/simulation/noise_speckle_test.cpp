@@ -54,6 +54,31 @@ TEST(NoiseSpeckle, MatcherFindsDisparitiesToAFractionOfAPixel)
 	}
 }
 
+TEST(NoiseSpeckle, ScaleActsOnTheDisparities)
+{
+	World world;
+	addWall(world, 2.5, 0.3);
+	const auto sigma = [&](double scale)
+	{
+		DepthCameraConfig config = speckleCamera();
+		config.noise_scale = scale;
+		const DepthImage image = shotOf(world, config).depth;
+		const double focal_baseline = config.intrinsics.fx_px * config.baseline_m;
+		std::vector<double> errors_px;
+		for (int v = 0; v < 480; ++v)
+			for (int u = 100; u < 600; ++u)
+				if (const double depth_m = static_cast<double>(image.at(u, v)); depth_m > 0.0)
+					errors_px.push_back(focal_baseline / depth_m -
+					                    focal_baseline / wallDepth(image.intrinsics, u, v, 2.5, 0.3));
+		EXPECT_GT(errors_px.size(), 230000U);
+		return spreadOf(errors_px).sigma;
+	};
+	const double usual = sigma(1.0);
+	EXPECT_NEAR(sigma(2.0) / usual, 2.0, 0.35);
+	EXPECT_NEAR(sigma(3.0) / usual, 3.0, 0.6);
+	EXPECT_LE(sigma(0.5), usual);
+}
+
 TEST(NoiseSpeckle, NothingMatchesWithoutThePattern)
 {
 	SpeckleSearch search;

@@ -145,11 +145,26 @@ TEST(TruthDoors, ItsOwnLeafHidesNothingOfIt)
 {
 	const Box leaf{{2.1, 0.40, 0.0}, {2.99, 0.44, 2.0}};  // toward the camera, along the left jamb
 	World own = worldWith({}), foreign = worldWith({});
-	addBox(own, {{2.3, -0.45, 0.0}, {2.34, 0.45, 2.0}}, "gallery::door_leaf::panel");
+	addBox(own, {{2.3, -0.45, 0.0}, {2.34, 0.0, 2.0}}, "gallery::door_leaf::panel");
 	addBox(foreign, {{2.3, -0.45, 0.0}, {2.34, 0.45, 2.0}}, "gallery::door2_leaf::panel");
 	addBox(own, leaf, "door_leaf");
 	EXPECT_EQ(onlyDoor(lookAt(own)).visibility, Visibility::visible);
 	EXPECT_EQ(onlyDoor(lookAt(foreign)).visibility, Visibility::hidden);
+}
+
+TEST(TruthDoors, ItIsIgnoredWhereItsOwnLeafCoversMoreThanThreeQuarters)
+{
+	// Before the wall on the camera's side; the opening is 0.9 m wide, seen from straight ahead, so that the share of
+	// it that a leaf just before the wall covers is the leaf's width.
+	const auto withLeafOf = [](double width_m)
+	{
+		World world = worldWith({});
+		addBox(world, {{2.93, -0.45, 0.0}, {2.97, -0.45 + width_m, 2.0}}, "door_leaf");
+		return onlyDoor(lookAt(world));
+	};
+	EXPECT_EQ(withLeafOf(0.60).visibility, Visibility::visible);
+	EXPECT_EQ(withLeafOf(0.75).visibility, Visibility::ignored);
+	EXPECT_DOUBLE_EQ(withLeafOf(0.75).visible_share, 1.0);
 }
 
 TEST(TruthDoors, OneSeenThroughGlassIsIgnored)

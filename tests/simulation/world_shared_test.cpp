@@ -172,3 +172,47 @@ TEST(SharedHouse, DoorsMeasureWhatTheirLabelsSay)
 	}
 	EXPECT_EQ(doors, 4U * 3U);
 }
+
+/** A world of others with its labels: walls without lintels, so that widths and what is above can be measured. */
+struct LabelledWorld
+{
+	const char* path;
+	std::size_t doors;
+};
+class SharedPassages : public testing::TestWithParam<LabelledWorld>
+{
+};
+
+TEST_P(SharedPassages, MeasureWhatTheirLabelsSay)
+{
+	const fs::path path = sharedWorlds() / GetParam().path;
+	if (!fs::exists(path)) GTEST_SKIP() << "needs the worlds in ../shared/worlds";
+	WorldPaths paths = sharedPaths();
+	paths.labels_file = fs::path(EXPLORE_SOURCE_DIR) / "tests/simulation" / (path.stem().string() + ".doors.json");
+	const World world = loadWorld(path, paths);
+	const RayScene scene(world);
+	EXPECT_EQ(world.doors.size(), GetParam().doors);
+	for (const DoorLabel& door : world.doors)
+	{
+		const Eigen::Vector3d along = Eigen::Vector3d::UnitZ().cross(door.normal_in_map);
+		for (const double height_m : {0.1, 1.0, 1.9})
+		{
+			const Eigen::Vector3d middle = door.floor_center_in_map + height_m * Eigen::Vector3d::UnitZ();
+			for (const double side : {1.0, -1.0})
+			{
+				const auto jamb = scene.cast(middle, side * along, 10);
+				ASSERT_TRUE(jamb) << door.id;
+				EXPECT_NEAR(jamb->distance, 0.5 * door.width_m, 0.005) << door.id;
+			}
+			EXPECT_FALSE(scene.cast(middle - door.normal_in_map, door.normal_in_map, 2)) << door.id;
+		}
+		EXPECT_FALSE(scene.cast(door.floor_center_in_map + Eigen::Vector3d(0, 0, 1), Eigen::Vector3d::UnitZ(), 5))
+		    << door.id << " has a lintel";
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Pal, SharedPassages,
+                         testing::Values(LabelledWorld{"pal/worlds/home.world", 5},
+                                         LabelledWorld{"pal/worlds/tutorial_office.world", 1},
+                                         LabelledWorld{"pal/worlds/factory.world", 2}),
+                         [](const auto& world) { return fs::path(world.param.path).stem().string(); });

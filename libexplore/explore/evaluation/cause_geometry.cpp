@@ -14,6 +14,7 @@ constexpr double kGroundTilt_rad = 5 * kDegree_rad, kGroundOffset_m = 0.10;
 constexpr double kWallTilt_rad = 10 * kDegree_rad, kWallOffset_m = 0.20;
 constexpr double kBesideJamb_m = 0.10;
 constexpr double kUsualHeight_m = 2.0;
+constexpr int kJambSteps = 20;
 
 Plane inMap(const Plane& plane_in_robot, const Eigen::Isometry3d& map_from_robot)
 {
@@ -48,7 +49,7 @@ CauseGeometry::CauseGeometry(const CauseInput& input)
 bool CauseGeometry::groundWrong(const Eigen::Vector3d& foot_in_map) const
 {
 	const auto& ground = m_input.percepts.ground;
-	if (!ground) return true;
+	if (!ground) return paperMethod();
 	const Plane plane = inMap(ground->plane, m_map_from_robot);
 	return angleBetweenAxes(plane.normal, Eigen::Vector3d::UnitZ()) > kGroundTilt_rad ||
 	       std::abs(plane.signedDistance(foot_in_map)) > kGroundOffset_m;
@@ -67,15 +68,24 @@ int CauseGeometry::wallsAt(const Eigen::Vector2d& center, const Eigen::Vector2d&
 	                                              }));
 }
 
+bool CauseGeometry::paperMethod() const
+{
+	return m_input.perception.method == PerceptionMethod::paper;
+}
+
 bool CauseGeometry::besideImage(const std::array<Eigen::Vector2d, 2>& jambs, double floor_m) const
 {
 	const DoorGapConfig& gaps = m_input.perception.door_gaps;
 	const Eigen::Vector2d outward = kBesideJamb_m * (jambs[1] - jambs[0]).normalized();
-	for (const double height_m : {gaps.scan_height_m, gaps.second_scan_height_m})
-		if (!inImage(lifted(jambs[0] - outward, floor_m + height_m)) ||
-		    !inImage(lifted(jambs[1] + outward, floor_m + height_m)))
-			return true;
-	return false;
+	const auto seen_at = [&](double height_m)
+	{
+		return inImage(lifted(jambs[0] - outward, floor_m + height_m)) &&
+		       inImage(lifted(jambs[1] + outward, floor_m + height_m));
+	};
+	if (paperMethod()) return !seen_at(gaps.scan_height_m) || !seen_at(gaps.second_scan_height_m);
+	int seen = 0;
+	for (int step = 0; step < kJambSteps; ++step) seen += seen_at(kUsualHeight_m * (step + 0.5) / kJambSteps) ? 1 : 0;
+	return 2 * seen < kJambSteps;
 }
 
 bool CauseGeometry::behindObstacle(const std::array<Eigen::Vector2d, 2>& jambs) const

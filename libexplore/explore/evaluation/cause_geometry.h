@@ -19,11 +19,13 @@ public:
 
 	/** The camera's centre on the floor plane. */
 	[[nodiscard]] Eigen::Vector2d camera() const { return m_map_from_camera.translation().head<2>(); }
-	/** No floor was found, or it is more than 5° or 0.10 m off at `foot_in_map`. */
+	/** The floor that was found is more than 5° or 0.10 m off at `foot_in_map`; with the paper's method also: none was.
+	 */
 	[[nodiscard]] bool groundWrong(const Eigen::Vector3d& foot_in_map) const;
 	/** Walls that were found within 10° and 0.20 m of the plane of an opening. */
 	[[nodiscard]] int wallsAt(const Eigen::Vector2d& center, const Eigen::Vector2d& normal) const;
-	/** A wall point beside a jamb, at one of the scan heights above `floor_m`, is not in the image. */
+	/** The wall beside a jamb is not in the image: at one of the paper's scan heights above `floor_m`; with another
+	 *  method over more than half of 2 m. */
 	[[nodiscard]] bool besideImage(const std::array<Eigen::Vector2d, 2>& jambs, double floor_m) const;
 	/** An obstacle stands between the camera and the opening or the wall beside it. */
 	[[nodiscard]] bool behindObstacle(const std::array<Eigen::Vector2d, 2>& jambs) const;
@@ -33,6 +35,7 @@ public:
 	[[nodiscard]] double floorNear(const Eigen::Vector2d& place) const;
 
 private:
+	[[nodiscard]] bool paperMethod() const;
 	[[nodiscard]] bool inImage(const Eigen::Vector3d& point_in_map) const;
 
 	const CauseInput& m_input;

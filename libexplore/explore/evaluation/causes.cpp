@@ -11,9 +11,9 @@ struct CauseText
 {
 	std::string_view name, sentence;
 };
-constexpr std::array<CauseText, 11> kTexts{{
+constexpr std::array<CauseText, 13> kTexts{{
     {"association", "one door, two reports: the second is no door of its own"},
-    {"size_limit", "the door is narrower or wider than the method looks for"},
+    {"size_limit", "the door is narrower or wider than the method looks for, or hardly wide enough for the robot"},
     {"misplaced", "it was found, but its centre or width is outside the tolerance"},
     {"ground_wrong", "the floor was not found, or is not where it was found"},
     {"evidence_wrong", "floor, wall and view are right, and the place was judged wrongly"},
@@ -23,10 +23,14 @@ constexpr std::array<CauseText, 11> kTexts{{
     {"occluded", "something stands before it"},
     {"noise_at_range", "a jamb is more than 4 m away, where the sensor is coarse"},
     {"door_hidden", "a door is there, but it is not visible from here"},
+    {"undecided", "it was found, and reported as partial or unknown"},
+    {"clearance_wrong", "it was found, and thought too narrow or too low for the robot"},
 }};
 
-constexpr double kFar_m = 4.0;      // the depth step of a structured-light camera reaches the plane tolerance
-constexpr double kSeenLess = 0.15;  // share of the opening that something hides before it counts as occluded
+constexpr double kFar_m = 4.0;           // the depth step of a structured-light camera reaches the plane tolerance
+constexpr double kSeenLess = 0.15;       // share of the opening that something hides before it counts as occluded
+constexpr double kRobotMargin_m = 0.10;  // beyond the robot's diameter: as fitsThrough()
+constexpr double kWidthDoubt_m = 0.05;   // how far a width may be off
 constexpr double kLooseCenter_m = kCenterTolerances_m.back();
 
 bool far(const CauseGeometry& geometry, const std::array<Eigen::Vector2d, 2>& jambs)
@@ -35,8 +39,12 @@ bool far(const CauseGeometry& geometry, const std::array<Eigen::Vector2d, 2>& ja
 	                           [&](const Eigen::Vector2d& jamb) { return (jamb - geometry.camera()).norm() > kFar_m; });
 }
 
-bool outsideLimits(const TruthDoor& door, const PerceptionConfig& config)
+/** Too narrow or too wide for the paper's gaps; for others too narrow to say that the robot fits through. */
+bool outsideLimits(const TruthDoor& door, const CauseInput& input)
 {
+	const PerceptionConfig& config = input.perception;
+	if (config.method != PerceptionMethod::paper)
+		return door.clear_width_m < 2.0 * input.robot.radius_m + kRobotMargin_m + kWidthDoubt_m;
 	const double blur_m = config.voxel_grid.voxel_size_m;
 	return door.width_m < config.door_gaps.min_gap_m + blur_m || door.width_m > config.door_gaps.max_gap_m - blur_m;
 }
@@ -46,6 +54,23 @@ bool wasFound(const CauseInput& input, const TruthDoor& door, double tolerance_m
 {
 	return std::ranges::any_of(
 	    input.reports, [&](const Report& report) { return report.positive && agrees(report, door, tolerance_m); });
+}
+
+/** Of a report that is not positive, at a door that should be passed. */
+Cause causeOfRefusal(const Report& report)
+{
+	switch (report.door.verdict)
+	{
+		case Verdict::partial:
+		case Verdict::unknown:
+			return Cause::undecided;
+		case Verdict::open:
+		case Verdict::ajar:
+		case Verdict::passage:
+			return Cause::clearance_wrong;
+		default:
+			return Cause::evidence_wrong;
+	}
 }
 
 Cause causeOfMiss(const CauseInput& input, const TruthDoor& door)
@@ -59,8 +84,9 @@ Cause causeOfMiss(const CauseInput& input, const TruthDoor& door)
 	if (wasFound(input, door, kCenterTolerances_m[kMainTolerance])) return Cause::association;
 	if (std::ranges::any_of(input.reports, [&](const Report& report) { return report.positive && near(report); }))
 		return Cause::misplaced;
-	if (std::ranges::any_of(input.reports, near)) return Cause::evidence_wrong;
-	if (outsideLimits(door, input.perception)) return Cause::size_limit;
+	const auto there = std::ranges::find_if(input.reports, near);
+	if (there != input.reports.end()) return causeOfRefusal(*there);
+	if (outsideLimits(door, input)) return Cause::size_limit;
 	if (geometry.groundWrong(foot)) return Cause::ground_wrong;
 	if (geometry.besideImage(jambs, foot.z())) return Cause::jamb_out_of_view;
 	if (door.visible_share < geometry.shareInImage(door) - kSeenLess || geometry.behindObstacle(jambs))

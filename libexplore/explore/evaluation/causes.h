@@ -22,6 +22,8 @@ enum class Cause
 	occluded,          ///< something stands before it
 	noise_at_range,    ///< too far for the sensor
 	door_hidden,       ///< a true door, but not visible from here
+	undecided,         ///< found, and not known what it is
+	clearance_wrong,   ///< found, and thought too narrow or too low for the robot
 };
 std::string_view nameOf(Cause cause);
 /** For a person who looks at the picture. */
@@ -35,6 +37,7 @@ struct CauseInput
 	const mrpt::poses::CPose3D& robot_from_camera;
 	const Percepts& percepts;
 	const PerceptionConfig& perception;
+	const RobotConfig& robot;
 	const std::vector<Report>& reports;
 	const std::vector<DoorPair>& pairs;  ///< at the main tolerance
 };

@@ -32,13 +32,14 @@ bool mustBeFound(const TruthDoor& door)
 	return isPositive(door) && door.visibility == Visibility::visible;
 }
 
-bool liesAtIgnored(const Report& report, const std::vector<TruthDoor>& truth, double tolerance_m)
+bool liesAtIgnored(const Report& report, const std::vector<TruthDoor>& truth, double tolerance_m,
+                   const DoorRule& neither_way)
 {
 	return std::ranges::any_of(truth,
 	                           [&](const TruthDoor& door)
 	                           {
 		                           const double reach_m = std::max(tolerance_m, 0.5 * door.width_m);
-		                           return countsNeitherWay(door) && centerDistance(report, door) <= reach_m;
+		                           return neither_way(door) && centerDistance(report, door) <= reach_m;
 	                           });
 }
 
@@ -89,6 +90,18 @@ bool countsNeitherWay(const TruthDoor& door)
 	                  : isPositive(door) && door.visibility == Visibility::ignored;
 }
 
+bool isFarDrop(const TruthDoor& door, const Eigen::Vector2d& camera_in_map)
+{
+	return door.verdict == Verdict::drop && (door.center_in_map.head<2>() - camera_in_map).norm() > kNearDoor_m;
+}
+
+CenterError centerError(const Report& report, const TruthDoor& door)
+{
+	const Eigen::Vector2d normal = door.normal_in_map.head<2>().normalized(), left(normal.y(), -normal.x());
+	const Eigen::Vector2d error = report.center_in_map - door.center_in_map.head<2>();
+	return {error.dot(left), error.dot(normal)};
+}
+
 double centerDistance(const Report& report, const TruthDoor& door)
 {
 	return (report.center_in_map - door.center_in_map.head<2>()).norm();
@@ -112,7 +125,7 @@ std::string_view nameOf(Outcome outcome)
 }
 
 std::vector<DoorPair> pairDoors(const std::vector<Report>& reports, const std::vector<TruthDoor>& truth,
-                                double tolerance_m)
+                                double tolerance_m, const DoorRule& neither_way)
 {
 	std::vector<DoorPair> pairs;
 	const auto hits = pairing(reports, truth,
@@ -134,8 +147,9 @@ std::vector<DoorPair> pairDoors(const std::vector<Report>& reports, const std::v
 			pairs.push_back(
 			    {others[i] && mustBeFound(truth[*others[i]]) ? Outcome::miss : Outcome::other, i, others[i]});
 		else
-			pairs.push_back({liesAtIgnored(reports[i], truth, tolerance_m) ? Outcome::ignored : Outcome::false_alarm, i,
-			                 std::nullopt});
+			pairs.push_back(
+			    {liesAtIgnored(reports[i], truth, tolerance_m, neither_way) ? Outcome::ignored : Outcome::false_alarm,
+			     i, std::nullopt});
 	}
 	const auto left = unpaired(truth, pairs);
 	for (std::size_t j = 0; j < truth.size(); ++j)
@@ -143,7 +157,22 @@ std::vector<DoorPair> pairDoors(const std::vector<Report>& reports, const std::v
 	return pairs;
 }
 
-Confusion confusionOf(const std::vector<Report>& reports, const std::vector<TruthDoor>& truth)
+std::size_t openWhereNothing(const std::vector<Report>& reports, const std::vector<TruthDoor>& truth,
+                             const std::vector<DoorPair>& pairs, const DoorRule& neither_way)
+{
+	const auto counts = [&](const DoorPair& pair)
+	{
+		if (!pair.report || pair.outcome == Outcome::hit || pair.outcome == Outcome::ignored) return false;
+		const Report& report = reports[*pair.report];
+		if (report.door.verdict != Verdict::open) return false;
+		if (pair.truth && isPositive(truth[*pair.truth])) return false;
+		return !liesAtIgnored(report, truth, kCenterTolerances_m[kMainTolerance], neither_way);
+	};
+	return static_cast<std::size_t>(std::ranges::count_if(pairs, counts));
+}
+
+Confusion confusionOf(const std::vector<Report>& reports, const std::vector<TruthDoor>& truth,
+                      const DoorRule& neither_way)
 {
 	const double tolerance_m = kCenterTolerances_m[kMainTolerance];
 	const auto at =
@@ -158,7 +187,7 @@ Confusion confusionOf(const std::vector<Report>& reports, const std::vector<Trut
 		const Verdict verdict = reports[i].door.verdict;
 		if (!at[i])
 		{
-			if (!liesAtIgnored(reports[i], truth, tolerance_m)) ++confusion[kVerdicts][index(verdict)];
+			if (!liesAtIgnored(reports[i], truth, tolerance_m, neither_way)) ++confusion[kVerdicts][index(verdict)];
 			continue;
 		}
 		const TruthDoor& door = truth[*at[i]];

@@ -83,6 +83,15 @@ void addReport(CsvRow& row, const Report& report)
 	    .flag(report.positive)
 	    .number(report.door.confidence);
 }
+
+void addErrors(CsvRow& row, const Report& report, const TruthDoor& door)
+{
+	const CenterError error = centerError(report, door);
+	row.number(centerDistance(report, door))
+	    .number(widthError(report, door))
+	    .number(error.along_m)
+	    .number(error.across_m);
+}
 }  // namespace
 
 std::string frameHeader()
@@ -96,7 +105,7 @@ std::string doorHeader()
 	return "log,frame,scene,outcome,cause,truth_id,truth_x,truth_y,truth_width,truth_clear_width,truth_verdict,"
 	       "passable,"
 	       "visibility,visible_share,distance,offset_deg,report_x,report_y,report_width,report_clear_width,"
-	       "report_verdict,positive,confidence,center_error,width_error\n";
+	       "report_verdict,positive,confidence,center_error,width_error,along_error,across_error\n";
 }
 
 std::string frameRow(const ScoreInput& input, const FrameScore& score)
@@ -131,8 +140,7 @@ std::string frameRowWithoutTruth(const std::string& log, const DepthFrame& frame
 
 std::vector<std::string> doorRows(const ScoreInput& input, const FrameScore& score)
 {
-	const Eigen::Isometry3d map_from_camera =
-	    isometryOf(input.truth_frame.map_from_robot + mountOf(input.truth, input.truth_frame));
+	const Eigen::Vector2d camera = cameraPlace(input);
 	std::vector<std::string> rows;
 	for (const DoorPair& pair : score.pairs)
 	{
@@ -142,7 +150,7 @@ std::vector<std::string> doorRows(const ScoreInput& input, const FrameScore& sco
 		const TruthDoor* door = pair.truth ? &input.truth_frame.doors[*pair.truth] : nullptr;
 		const Report* report = pair.report ? &score.reports[*pair.report] : nullptr;
 		if (door != nullptr)
-			addTruth(row, *door, map_from_camera.translation().head<2>());
+			addTruth(row, *door, camera);
 		else
 			row.blanks(11);
 		if (report != nullptr)
@@ -150,9 +158,9 @@ std::vector<std::string> doorRows(const ScoreInput& input, const FrameScore& sco
 		else
 			row.blanks(7);
 		if (door != nullptr && report != nullptr)
-			row.number(centerDistance(*report, *door)).number(widthError(*report, *door));
+			addErrors(row, *report, *door);
 		else
-			row.blanks(2);
+			row.blanks(4);
 		rows.push_back(row.line());
 	}
 	return rows;

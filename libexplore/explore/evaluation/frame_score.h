@@ -20,6 +20,9 @@ struct ScoreInput
 	const ExplorerConfig& config;
 };
 
+/** The camera's true place on the floor plane, map frame. */
+Eigen::Vector2d cameraPlace(const ScoreInput& input);
+
 /** An error of the frame. */
 struct Mistake
 {

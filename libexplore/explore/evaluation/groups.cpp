@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
+#include <iterator>
 #include <map>
-#include <tuple>
+#include <sstream>
 
 namespace explore::evaluation
 {
@@ -11,8 +13,15 @@ namespace
 {
 using SceneList = std::vector<const SceneScore*>;
 
-/** Order of the groups: negative ones last, then by rank and name, robot and noise. */
-using Key = std::tuple<bool, std::size_t, std::string, std::string, std::string>;
+/** Order of the groups: negative ones behind, mirrors last, then by rank and name, robot and noise. */
+struct Key
+{
+	bool by_tracks = false, negative = false;
+	std::size_t rank = 0;
+	std::string name, platform, noise;
+
+	auto operator<=>(const Key&) const = default;
+};
 
 constexpr std::array<std::string_view, 3> kPaperRows{"single wall single door", "single wall multiple doors",
                                                      "multiple walls multiple doors"};
@@ -40,47 +49,87 @@ std::vector<Group> grouped(const std::vector<LogScore>& logs,
 	std::vector<Group> groups;
 	groups.reserve(lists.size());
 	for (const auto& [key, scenes] : lists)
-		groups.push_back({std::get<2>(key), std::get<3>(key), std::get<4>(key), std::get<0>(key), figuresOf(scenes)});
+		groups.push_back({key.name, key.platform, key.noise, key.negative, key.by_tracks, figuresOf(scenes)});
+	return groups;
+}
+
+/** Whether one of the words of the family's name begins like one of `beginnings`. */
+bool isAbout(const LogScore& log, std::initializer_list<std::string_view> beginnings)
+{
+	std::string name = log.family;
+	std::ranges::replace(name, '_', ' ');
+	std::istringstream words(name);
+	for (std::string word; words >> word;)
+		if (std::ranges::any_of(beginnings, [&](std::string_view beginning) { return word.starts_with(beginning); }))
+			return true;
+	return false;
+}
+
+/** Each robot and noise, then all of them where there is more than one. */
+std::vector<Group> pooledWhere(const std::vector<LogScore>& logs, const std::string& name, bool negative,
+                               const std::function<bool(const LogScore&)>& wanted)
+{
+	const auto keys = [&](bool all)
+	{
+		return grouped(logs,
+		               [&, all](const LogScore& log) -> std::vector<Key>
+		               {
+			               if (scoredByTracks(log) || !wanted(log)) return {};
+			               return {{false, negative, 0, name, all ? "" : log.platform, all ? "" : log.noise}};
+		               });
+	};
+	std::vector<Group> groups = keys(false);
+	if (groups.size() < 2) return groups;
+	std::ranges::move(keys(true), std::back_inserter(groups));
 	return groups;
 }
 
 std::vector<Key> configurationKeys(const LogScore& log)
 {
 	if (log.configuration.empty()) return {};
-	return {{false, rankOf(log.configuration), log.configuration, log.platform, log.noise},
-	        {false, kPaperRows.size() + 1, "all of them", log.platform, log.noise}};
+	return {{false, false, rankOf(log.configuration), log.configuration, log.platform, log.noise},
+	        {false, false, kPaperRows.size() + 1, "all of them", log.platform, log.noise}};
 }
 
 std::vector<Key> familyKeys(const LogScore& log)
 {
-	return {{log.negative, 0, log.family.empty() ? log.world : log.family, log.platform, log.noise}};
+	const std::string& name = log.family.empty() ? log.world : log.family;
+	return {{scoredByTracks(log), log.negative, 0, name, log.platform, log.noise}};
 }
 
-std::vector<Key> pooledKeys(const LogScore& log)
+/** The figures of the last group, which is that of all robots and noises. */
+std::optional<Figures> lastOf(const std::vector<Group>& groups)
 {
-	return {{log.negative, 0, log.negative ? "all without doors" : "all with doors", log.platform, log.noise}};
-}
-
-/** The figures of all logs for which `wanted` holds; no value without scenes. */
-template <class Wanted>
-std::optional<Figures> figuresWhere(const std::vector<LogScore>& logs, const Wanted& wanted)
-{
-	SceneList scenes;
-	for (const LogScore& log : logs)
-		if (log.has_truth && wanted(log)) append(scenes, log);
-	return scenes.empty() ? std::nullopt : std::optional(figuresOf(scenes));
+	return groups.empty() ? std::nullopt : std::optional(groups.back().figures);
 }
 }  // namespace
+
+bool scoredByTracks(const LogScore& log)
+{
+	return isAbout(log, {"mirror"});
+}
 
 Results resultsOf(const std::vector<LogScore>& logs)
 {
 	Results results;
 	results.configurations = grouped(logs, configurationKeys);
 	results.families = grouped(logs, familyKeys);
-	results.pooled = grouped(logs, pooledKeys);
-	results.positives = figuresWhere(logs, [](const LogScore& log) { return !log.negative; });
-	results.negatives = figuresWhere(logs, [](const LogScore& log) { return log.negative; });
-	results.everything = figuresWhere(logs, [](const LogScore&) { return true; });
+	const auto with_doors =
+	    pooledWhere(logs, "all with doors", false, [](const LogScore& log) { return !log.negative; });
+	const auto without = pooledWhere(logs, "all without doors", true, [](const LogScore& log) { return log.negative; });
+	results.overall = pooledWhere(logs, "all families", false, [](const LogScore&) { return true; });
+	results.positives = lastOf(with_doors);
+	results.negatives = lastOf(without);
+	results.everything = lastOf(results.overall);
+	for (const auto* groups : {&with_doors, &without})
+		results.pooled.insert(results.pooled.end(), groups->begin(), groups->end());
+	results.corners = pooledWhere(logs, "corner doors", false,
+	                              [](const LogScore& log) { return !log.negative && isAbout(log, {"corner"}); });
+	results.hazards =
+	    pooledWhere(logs, "hazards", true,
+	                [](const LogScore& log) {
+		                return log.negative && isAbout(log, {"glass", "black", "closed", "stair", "shaft", "window"});
+	                });
 	for (const LogScore& log : logs)
 		if (!log.has_truth && log.error.empty()) results.without_truth.push_back(&log);
 	return results;

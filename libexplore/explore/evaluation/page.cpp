@@ -1,4 +1,5 @@
 #include <explore/evaluation/page.h>
+#include <explore/evaluation/reliability_diagram.h>
 
 namespace explore::evaluation
 {
@@ -77,7 +78,7 @@ std::string base64(const std::string& bytes)
 	return text;
 }
 
-std::string pageText(const Evaluation& evaluation, const std::string& tables, const std::vector<PagePicture>& pictures)
+std::string pageText(const Evaluation& evaluation, const PageTables& tables, const std::vector<PagePicture>& pictures)
 {
 	std::string text =
 	    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -85,7 +86,8 @@ std::string pageText(const Evaluation& evaluation, const std::string& tables, co
 	    "<title>explore-eval</title>\n<style>";
 	text += kStyle;
 	text += "</style>\n</head>\n<body>\n<h1>Doors, directions and headings against the truth</h1>\n<p>" +
-	        escaped(setupText(evaluation.setup)) + "</p>\n<pre>" + escaped(tables) + "</pre>\n";
+	        escaped(setupText(evaluation.setup)) + "</p>\n<pre>" + escaped(tables.text) + "</pre>\n";
+	if (!tables.reliability.empty()) text += "<h2>Confidences</h2>\n" + reliabilitySvg(tables.reliability);
 	text +=
 	    "<h2>The worst frames</h2>\n<p class=\"key\"><span><i style=\"background:#f05446\"></i>reported</span>"
 	    "<span><i style=\"background:#40e0d0\"></i>true, has to be found</span>"
@@ -99,7 +101,7 @@ std::string pageText(const Evaluation& evaluation, const std::string& tables, co
 		text += figure;
 		++shown;
 	}
-	if (pictures.empty()) text += "<p>No frame went wrong.</p>\n";
+	if (pictures.empty()) text += "<p>No frame went wrong, or no pictures were asked for.</p>\n";
 	if (shown < pictures.size())
 		text += "<p>" + std::to_string(pictures.size() - shown) + " more are in the folder pictures.</p>\n";
 	return text + "</body>\n</html>\n";

@@ -16,8 +16,15 @@ struct PagePicture
 	std::string jpeg;  ///< the file's bytes
 };
 
+/** What the page shows above the pictures. */
+struct PageTables
+{
+	std::string text;
+	std::vector<ReliabilityBin> reliability;  ///< drawn as a diagram; empty where the method gives no confidences
+};
+
 /** `pictures`, the worst first, are shown as long as the page stays below 15 MB. */
-std::string pageText(const Evaluation& evaluation, const std::string& tables, const std::vector<PagePicture>& pictures);
+std::string pageText(const Evaluation& evaluation, const PageTables& tables, const std::vector<PagePicture>& pictures);
 
 /** RFC 4648, with padding. */
 std::string base64(const std::string& bytes);

@@ -30,12 +30,39 @@ Json doorsJson(const Figures& figures)
 	return result;
 }
 
+Json intervalJson(const std::optional<Interval>& interval)
+{
+	if (!interval) return {};
+	return {jsonNumber(interval->low), jsonNumber(interval->high)};
+}
+
 Json errorsJson(const ErrorFigures& errors)
 {
 	return {{"count", errors.count},
 	        {"bias", jsonOrNull(errors.bias)},
 	        {"median", jsonOrNull(errors.median)},
+	        {"median_interval", intervalJson(errors.interval)},
 	        {"p99", jsonOrNull(errors.p99)}};
+}
+
+Json hitsJson(const HitFigures& hits)
+{
+	return {{"width_error", errorsJson(hits.width_m)},
+	        {"center_error", errorsJson(hits.center_m)},
+	        {"along_error", errorsJson(hits.along_m)},
+	        {"across_error", errorsJson(hits.across_m)}};
+}
+
+Json binsJson(const std::vector<ReliabilityBin>& bins)
+{
+	Json result = Json::array();
+	for (const ReliabilityBin& bin : bins)
+		result.push_back({{"lowest", jsonNumber(bin.lowest)},
+		                  {"highest", jsonNumber(bin.highest)},
+		                  {"count", bin.count},
+		                  {"confidence", jsonNumber(bin.confidence)},
+		                  {"right", jsonNumber(bin.right)}});
+	return result;
 }
 
 Json confidenceJson(const ConfidenceFigures& confidence)
@@ -45,7 +72,10 @@ Json confidenceJson(const ConfidenceFigures& confidence)
 		curve.push_back({jsonNumber(point.threshold), jsonNumber(point.precision), jsonNumber(point.recall)});
 	return {{"candidates", confidence.candidates},
 	        {"calibration_error", jsonOrNull(confidence.calibration_error)},
+	        {"calibration_interval", intervalJson(confidence.calibration_interval)},
 	        {"auroc", jsonOrNull(confidence.auroc)},
+	        {"auroc_interval", intervalJson(confidence.auroc_interval)},
+	        {"bins", binsJson(confidence.bins)},
 	        {"curve", curve}};
 }
 
@@ -69,13 +99,21 @@ Json figuresJson(const Figures& figures)
 {
 	return {{"scenes", figures.scenes},
 	        {"frames", figures.sum.frames},
+	        {"unscored_frames", figures.sum.unscored_frames},
 	        {"doors", doorsJson(figures)},
+	        {"narrow_recall", rateJson(figures.narrow_recall)},
 	        {"false_alarm_frames", rateJson(figures.false_alarm_frames)},
 	        {"report_frames", rateJson(figures.report_frames)},
-	        {"width_error", errorsJson(figures.width_m)},
-	        {"center_error", errorsJson(figures.center_m)},
+	        {"open_frames", rateJson(figures.open_frames)},
+	        {"open_reports", figures.sum.open_reports},
+	        {"width_error", errorsJson(figures.hits.width_m)},
+	        {"center_error", errorsJson(figures.hits.center_m)},
+	        {"along_error", errorsJson(figures.hits.along_m)},
+	        {"across_error", errorsJson(figures.hits.across_m)},
+	        {"near", hitsJson(figures.near_hits)},
 	        {"direction_error", errorsJson(figures.direction_rad)},
 	        {"direction_given", rateJson(figures.direction_given)},
+	        {"direction_close", rateJson(figures.direction_close)},
 	        {"direction_null", rateJson(figures.direction_null)},
 	        {"good_headings", rateJson(figures.good_headings)},
 	        {"stops", figures.sum.stops},
@@ -95,6 +133,7 @@ Json groupsJson(const std::vector<Group>& groups)
 		                  {"platform", group.platform},
 		                  {"noise", group.noise},
 		                  {"negative", group.negative},
+		                  {"by_tracks", group.by_tracks},
 		                  {"figures", figuresJson(group.figures)}});
 	return result;
 }
@@ -110,6 +149,9 @@ Json resultsJson(const Results& results)
 	return {{"configurations", groupsJson(results.configurations)},
 	        {"families", groupsJson(results.families)},
 	        {"pooled", groupsJson(results.pooled)},
+	        {"overall", groupsJson(results.overall)},
+	        {"corner_doors", groupsJson(results.corners)},
+	        {"hazards", groupsJson(results.hazards)},
 	        {"positives", figuresOrNull(results.positives)},
 	        {"negatives", figuresOrNull(results.negatives)},
 	        {"everything", figuresOrNull(results.everything)}};

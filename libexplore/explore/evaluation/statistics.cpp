@@ -8,8 +8,6 @@ namespace explore::evaluation
 {
 namespace
 {
-constexpr std::size_t kResamples = 1000;
-constexpr std::uint64_t kSeed = 20150612;
 constexpr double kTail = 0.025;
 
 SceneRatio sumOf(std::span<const SceneRatio> scenes)
@@ -31,7 +29,7 @@ double shareOf(const SceneRatio& ratio)
 /** The rates of resamples of the scenes; those without any case are drawn but say nothing. */
 std::vector<double> resampled(const std::vector<SceneRatio>& scenes)
 {
-	std::mt19937_64 random(kSeed);
+	std::mt19937_64 random(kBootstrapSeed);
 	std::vector<double> rates;
 	rates.reserve(kResamples);
 	for (std::size_t i = 0; i < kResamples; ++i)
@@ -54,20 +52,6 @@ void sortDown(std::vector<Candidate>& candidates)
 	std::ranges::stable_sort(
 	    candidates, [](const Candidate& a, const Candidate& b)
 	    { return a.confidence != b.confidence ? a.confidence > b.confidence : a.right > b.right; });
-}
-/** For each candidate the share of right ones among those of its confidence: no order among equals can sway a bin. */
-std::vector<double> rightShares(const std::vector<Candidate>& sorted)
-{
-	std::vector<double> shares;
-	while (shares.size() < sorted.size())
-	{
-		const auto first = sorted.begin() + static_cast<std::ptrdiff_t>(shares.size());
-		const auto last = std::find_if(
-		    first, sorted.end(), [&](const Candidate& candidate) { return candidate.confidence != first->confidence; });
-		const auto right = static_cast<double>(std::count_if(first, last, [](const Candidate& c) { return c.right; }));
-		shares.insert(shares.end(), static_cast<std::size_t>(last - first), right / static_cast<double>(last - first));
-	}
-	return shares;
 }
 }  // namespace
 
@@ -100,18 +84,28 @@ std::optional<Rate> rateOf(std::span<const SceneRatio> scenes)
 	return rate;
 }
 
-std::optional<double> auroc(std::vector<Candidate> candidates)
+std::vector<EqualCandidates> byConfidence(std::vector<Candidate> candidates)
 {
 	sortDown(candidates);
-	double ordered = 0.0, right_above = 0.0, wrong = 0.0, right = 0.0;
-	for (std::size_t i = 0; i < candidates.size();)
+	std::vector<EqualCandidates> groups;
+	for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate)
 	{
-		double tied_right = 0.0, tied_wrong = 0.0;
-		const double confidence = candidates[i].confidence;
-		for (; i < candidates.size() && candidates[i].confidence == confidence; ++i)
-			(candidates[i].right ? tied_right : tied_wrong) += 1.0;
-		ordered += tied_wrong * (right_above + 0.5 * tied_right);
-		right_above += tied_right;
+		if (groups.empty() || groups.back().confidence != candidate->confidence)
+			groups.push_back({candidate->confidence, 0, 0});
+		++groups.back().count;
+		if (candidate->right) ++groups.back().right;
+	}
+	return groups;
+}
+
+std::optional<double> auroc(std::span<const EqualCandidates> candidates)
+{
+	double ordered = 0.0, wrong = 0.0, right = 0.0;  // of those passed, which have lower confidences
+	for (const EqualCandidates& group : candidates)
+	{
+		const auto tied_right = static_cast<double>(group.right);
+		const auto tied_wrong = static_cast<double>(group.count - group.right);
+		ordered += tied_right * (wrong + 0.5 * tied_wrong);
 		right += tied_right;
 		wrong += tied_wrong;
 	}
@@ -119,23 +113,45 @@ std::optional<double> auroc(std::vector<Candidate> candidates)
 	return ordered / (right * wrong);
 }
 
-std::optional<double> calibrationError(std::vector<Candidate> candidates)
+std::vector<ReliabilityBin> reliability(std::span<const EqualCandidates> candidates)
 {
-	constexpr std::size_t kBins = 15;
-	if (candidates.empty()) return std::nullopt;
-	sortDown(candidates);
-	std::ranges::reverse(candidates);
-	const std::vector<double> right = rightShares(candidates);
-	double error = 0.0;
-	const std::size_t count = candidates.size();
-	for (std::size_t bin = 0; bin < kBins; ++bin)
+	constexpr Count kBins = 15;
+	Count total = 0, passed = 0;
+	for (const EqualCandidates& group : candidates) total += group.count;
+	std::vector<ReliabilityBin> bins;
+	auto group = candidates.begin();
+	Count left = candidates.empty() ? 0 : group->count;  // of the group
+	for (Count index = 1; index <= kBins; ++index)
 	{
-		double gap = 0.0;
-		for (std::size_t i = bin * count / kBins; i < (bin + 1) * count / kBins; ++i)
-			gap += candidates[i].confidence - right[i];
-		error += std::abs(gap);  // the bin's gap times its number of candidates
+		const Count end = index * total / kBins;
+		if (end == passed) continue;
+		ReliabilityBin bin{group->confidence, group->confidence, end - passed, 0.0, 0.0};
+		while (passed < end)
+		{
+			const Count taken = std::min(left, end - passed);
+			const double share = static_cast<double>(taken) / static_cast<double>(bin.count);
+			bin.highest = group->confidence;
+			bin.confidence += share * group->confidence;
+			bin.right += share * static_cast<double>(group->right) / static_cast<double>(group->count);
+			passed += taken;
+			left -= taken;
+			if (left == 0 && ++group != candidates.end()) left = group->count;
+		}
+		bins.push_back(bin);
 	}
-	return error / static_cast<double>(count);
+	return bins;
+}
+
+std::optional<double> calibrationError(std::span<const EqualCandidates> candidates)
+{
+	double error = 0.0, total = 0.0;
+	for (const ReliabilityBin& bin : reliability(candidates))
+	{
+		const auto count = static_cast<double>(bin.count);
+		error += count * std::abs(bin.confidence - bin.right);
+		total += count;
+	}
+	return total > 0.0 ? std::optional(error / total) : std::nullopt;
 }
 
 std::vector<CurvePoint> precisionRecall(std::vector<Candidate> candidates, Count positives, std::size_t most)

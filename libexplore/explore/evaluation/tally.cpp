@@ -29,8 +29,14 @@ void eachCount(SomeTally& tally, const Visit& visit)
 	}
 	visit("false_alarm_frames", tally.false_alarm_frames);
 	visit("report_frames", tally.report_frames);
+	visit("open_frames", tally.open_frames);
+	visit("open_reports", tally.open_reports);
+	visit("unscored_frames", tally.unscored_frames);
+	visit("narrow_hits", tally.narrow_hits);
+	visit("narrow_misses", tally.narrow_misses);
 	visit("corridor_frames", tally.corridor_frames);
 	visit("corridor_given", tally.corridor_given);
+	visit("corridor_close", tally.corridor_close);
 	visit("plain_frames", tally.plain_frames);
 	visit("plain_null", tally.plain_null);
 	visit("heading_frames", tally.heading_frames);
@@ -46,6 +52,9 @@ void eachErrorList(SomeTally& tally, const Visit& visit)
 {
 	visit("width_errors", tally.width_errors_m);
 	visit("center_errors", tally.center_errors_m);
+	visit("along_errors", tally.along_errors_m);
+	visit("across_errors", tally.across_errors_m);
+	visit("hit_distances", tally.hit_distances_m);
 	visit("direction_errors", tally.direction_errors_rad);
 }
 
@@ -82,6 +91,15 @@ std::vector<Candidate> candidatesOf(const JsonPlace& place)
 	return candidates;
 }
 
+/** Every hit has its value in each of the lists. */
+void checkHits(const JsonPlace& place, const Tally& tally)
+{
+	const std::size_t hits = tally.width_errors_m.size();
+	for (const auto* list :
+	     {&tally.center_errors_m, &tally.along_errors_m, &tally.across_errors_m, &tally.hit_distances_m})
+		if (list->size() != hits) place.refuse("as many errors and distances of each kind as there are hits");
+}
+
 void readConfusion(const JsonPlace& place, Confusion& confusion)
 {
 	const auto rows = place.items();
@@ -106,11 +124,16 @@ void Tally::add(const Tally& other)
 	eachCount(other, [&](const auto& /*name*/, const Count& count) { counts.push_back(&count); });
 	std::size_t next = 0;
 	eachCount(*this, [&](const auto& /*name*/, Count& count) { count += *counts[next++]; });
-	const auto append = [](auto& list, const auto& more) { list.insert(list.end(), more.begin(), more.end()); };
-	append(width_errors_m, other.width_errors_m);
-	append(center_errors_m, other.center_errors_m);
-	append(direction_errors_rad, other.direction_errors_rad);
-	append(candidates, other.candidates);
+	std::vector<const std::vector<double>*> lists;
+	eachErrorList(other, [&](const auto& /*name*/, const auto& list) { lists.push_back(&list); });
+	next = 0;
+	eachErrorList(*this,
+	              [&](const auto& /*name*/, auto& list)
+	              {
+		              const auto& more = *lists[next++];
+		              list.insert(list.end(), more.begin(), more.end());
+	              });
+	candidates.insert(candidates.end(), other.candidates.begin(), other.candidates.end());
 	for (const auto& [cause, count] : other.false_alarm_causes) false_alarm_causes[cause] += count;
 	for (const auto& [cause, count] : other.miss_causes) miss_causes[cause] += count;
 	for (std::size_t i = 0; i < confusion.size(); ++i)
@@ -177,6 +200,7 @@ Tally tallyOf(const JsonPlace& place)
 		take("confusion", [&] { readConfusion(at, tally.confusion); });
 		if (!known) at.refuse("no such key");
 	}
+	checkHits(place, tally);
 	return tally;
 }
 }  // namespace explore::evaluation

@@ -20,6 +20,8 @@ using Count = std::uint64_t;
 inline constexpr std::array<double, 3> kCenterTolerances_m{0.15, 0.30, 0.45};
 inline constexpr std::size_t kMainTolerance = 1;
 inline constexpr double kWidthTolerance_m = 0.25;
+inline constexpr double kNarrowDoor_m = 0.85;  ///< true widths below count as narrow
+inline constexpr double kNearDoor_m = 3.0;     ///< doors up to here are near
 
 struct DoorCounts
 {
@@ -45,13 +47,20 @@ struct Tally
 	std::array<DoorCounts, kCenterTolerances_m.size()> doors;  ///< one a tolerance
 	Count false_alarm_frames = 0;                              ///< with at least one false alarm
 	Count report_frames = 0;                                   ///< with any report, whatever its verdict
+	Count open_frames = 0, open_reports = 0;                   ///< `open` where nothing can be passed: frames, reports
+	Count unscored_frames = 0;                                 ///< of frames: in none of the four counts above
+	Count narrow_hits = 0, narrow_misses = 0;                  ///< of doors narrower than kNarrowDoor_m
 	Count corridor_frames = 0, corridor_given = 0;             ///< corridor in view; a direction was given there
+	Count corridor_close = 0;                                  ///< of corridor_given: the error is at most 2°
 	Count plain_frames = 0, plain_null = 0;                    ///< no corridor; no direction was given there
 	Count heading_frames = 0, good_headings = 0;               ///< with true free paths; good (doc/definitions.md)
 	Count stops = 0, good_stops = 0, collisions = 0;           ///< of heading_frames
 
 	std::vector<double> width_errors_m;        ///< of the hits, reported − true
 	std::vector<double> center_errors_m;       ///< of the hits, at least 0
+	std::vector<double> along_errors_m;        ///< of the hits: their part along the true wall, positive to the left
+	std::vector<double> across_errors_m;       ///< of the hits: their part across it, positive toward the camera
+	std::vector<double> hit_distances_m;       ///< of the hits: from the camera to the true door on the floor plane
 	std::vector<double> direction_errors_rad;  ///< of corridor_given, at least 0
 	std::vector<Candidate> candidates;         ///< reports that have a confidence
 	std::map<std::string, Count> false_alarm_causes, miss_causes;

@@ -14,7 +14,8 @@ struct LevelFrame
 	double altitude_m = 0;                                           ///< of the origin above the floor
 };
 
-/** The level frame over `ground` (robot frame, normal up). Without a floor the robot frame counts as level and its
- *  altitude as 0. */
-LevelFrame levelFrame(const std::optional<Plane>& ground);
+/** The level frame over `ground` (robot frame, normal up). Without a floor `up_in_robot` (unit) tells what is level,
+ * and the altitude is 0. */
+LevelFrame levelFrame(const std::optional<Plane>& ground,
+                      const Eigen::Vector3d& up_in_robot = Eigen::Vector3d::UnitZ());
 }  // namespace explore

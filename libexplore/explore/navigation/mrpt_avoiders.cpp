@@ -30,6 +30,7 @@ std::string classOf(AvoiderMethod method)
 		case AvoiderMethod::holonomic_full_eval:
 			return "CHolonomicFullEval";
 		case AvoiderMethod::open_path:
+		case AvoiderMethod::paper:
 			break;
 	}
 	throw std::logic_error("mrptDirection: the method is not one of MRPT's");
@@ -53,8 +54,10 @@ CAbstractHolonomicReactiveMethod::Ptr makeMethod(const AvoiderConfig& config)
 /** A full turn around θ_d, MRPT's order: −π first. An odd count makes θ_d the middle direction. */
 DirectionFan fullTurn(const AvoiderInput& input, const AvoiderConfig& config)
 {
+	// CHolonomicFullEval looks from every direction at every other.
+	constexpr double kFinest_rad = 2.0 * std::numbers::pi / 180.0;
 	const double pi = std::numbers::pi;
-	const auto count = 2 * static_cast<std::size_t>(pi / config.resolution_rad) + 1;
+	const auto count = 2 * static_cast<std::size_t>(pi / std::max(config.resolution_rad, kFinest_rad)) + 1;
 	const double step = 2.0 * pi / static_cast<double>(count);
 	return {input.desired_rad - pi + 0.5 * step, step, count, 0.0};
 }
@@ -116,18 +119,18 @@ std::optional<double> ask(const DirectionFan& fan, std::vector<double> open, con
 }
 }  // namespace
 
-Avoidance mrptDirection(const OpenPath& open_path, const AvoiderInput& input, const AvoiderConfig& config)
+Avoidance mrptDirection(const Ways& ways, const AvoiderInput& input, const AvoiderConfig& config)
 {
 	const DirectionFan fan = fullTurn(input, config);
-	std::vector<double> open = open_path.along(fan);
+	std::vector<double> open = ways.along(fan).worth_m;
 	for (double& length : open) length /= config.max_range_m;
 
-	const double desired_open_m = open_path.along(Direction{input.desired_rad});
+	const double desired_open_m = ways.along(Direction{input.desired_rad}).open_m.front();
 	const std::optional<double> turn = ask(fan, std::move(open), input, config);
 	if (!turn || std::abs(*turn) > config.sector_rad + 0.5 * fan.step_rad)
 		return {.heading_rad = std::nullopt, .open_path_m = desired_open_m};
 	const double heading = wrapToPi(input.desired_rad + *turn);
-	const double open_m = open_path.along(Direction{heading});
+	const double open_m = ways.along(Direction{heading}).open_m.front();
 	if (!(open_m > 0.0)) return {.heading_rad = std::nullopt, .open_path_m = desired_open_m};
 	// Half a direction off is rounding, not avoiding.
 	if (std::abs(*turn) <= 0.5 * fan.step_rad && desired_open_m >= open_m)

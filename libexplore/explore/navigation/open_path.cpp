@@ -40,14 +40,13 @@ struct Heading
 	double cos_azimuth, sin_azimuth, cos_elevation;
 };
 
-/** Travel until the hull of this radius reaches the sample, infinite when it passes by or moves away. `at_height` is
+/** Travel until the hull reaches the sample, infinite when it passes by or moves away. `at_height` is
  * the stretch on which the sample is at the hull's height; `rise` is its share in the way to the sample. */
-double contact(const ObstacleSample& sample, const Heading& heading, double radius_m, const TravelSpan& at_height,
-               double rise)
+double contact(const ObstacleSample& sample, const Heading& heading, const TravelSpan& at_height, double rise)
 {
 	const double ahead = sample.x * heading.cos_azimuth + sample.y * heading.sin_azimuth;
 	const double aside = sample.y * heading.cos_azimuth - sample.x * heading.sin_azimuth;
-	const double half_chord2 = radius_m * radius_m - aside * aside;
+	const double half_chord2 = static_cast<double>(sample.radius_m) * sample.radius_m - aside * aside;
 	if (!(half_chord2 > 0.0)) return kInfinity;
 	const double half_chord = std::sqrt(half_chord2);
 	const double enter = std::max((ahead - half_chord) / heading.cos_elevation, at_height.enter_m);
@@ -60,31 +59,12 @@ double contact(const ObstacleSample& sample, const Heading& heading, double radi
 
 /** Half the angle [rad] that the hull's disc takes up as seen from the sample, rounded up: directions further from the
  *  sample's azimuth pass it by. */
-double halfWidth(const ObstacleSample& sample, double radius_m)
+double halfWidth(const ObstacleSample& sample)
 {
 	// More than the error of fastAzimuth.
 	constexpr double kSlack_rad = 1e-4;
 	const double distance_m = Eigen::Vector2d(sample.x, sample.y).norm();
-	return distance_m > radius_m ? asinBound(radius_m / distance_m) + kSlack_rad : std::numbers::pi;
-}
-
-/** Calls `visit(k)` for the directions of the fan within ± half_width_rad of an azimuth (and perhaps one more). */
-template <class Visit>
-void forEachNear(const DirectionFan& fan, double azimuth_rad, double half_width_rad, const Visit& visit)
-{
-	constexpr double kTurn = 2.0 * std::numbers::pi;
-	const double per_rad = 1.0 / fan.step_rad, last = static_cast<double>(fan.count) - 1.0;
-	double offset = azimuth_rad - fan.first_rad;
-	if (offset < 0.0) offset += kTurn;
-	// The fan covers [0, last · step]: the azimuth matters to it as it is, or a turn less or more. Truncation stands
-	// for floor, which this instruction set has no fast form of.
-	for (const double center : {offset - kTurn, offset, offset + kTurn})
-	{
-		const double to = std::min(last, (center + half_width_rad) * per_rad);
-		const double from = std::max(0.0, (center - half_width_rad) * per_rad);
-		if (to < 0.0 || from > last) continue;
-		for (auto k = static_cast<std::size_t>(from); k <= static_cast<std::size_t>(to); ++k) visit(k);
-	}
+	return distance_m > sample.radius_m ? asinBound(sample.radius_m / distance_m) + kSlack_rad : std::numbers::pi;
 }
 
 /** Where the ray from the sensor to a point below the floor passes through the floor (level frame). */
@@ -97,8 +77,10 @@ Eigen::Vector3d piercedFloor(const Eigen::Vector3d& sensor, const Eigen::Vector3
 }  // namespace
 
 OpenPath::OpenPath(const AvoiderInput& input, const RobotConfig& robot, const AvoiderConfig& config)
-    : m_radius_m(robot.radius_m + config.clearance_m),
-      m_half_height_m(robot.kind == RobotKind::mav ? 0.5 * robot.height_m + config.clearance_m : kInfinity),
+    : m_radius_m(robot.radius_m),
+      m_clearance_m(config.clearance_m),
+      m_clearance_range_m(config.clearance_range_m),
+      m_half_height_m(robot.kind == RobotKind::mav ? 0.5 * robot.height_m : kInfinity),
       m_range_m(config.max_range_m)
 {
 	m_samples.reserve(input.obstacles_in_robot->size());
@@ -127,7 +109,7 @@ void OpenPath::sortByDistance()
 
 void OpenPath::addGroundObstacles(const AvoiderInput& input, const RobotConfig& robot, const AvoiderConfig& config)
 {
-	const LevelFrame level = levelFrame(input.ground);
+	const LevelFrame level = levelFrame(input.ground, input.up_in_robot);
 	const PointCloud& points = *input.obstacles_in_robot;
 	const double top_m = robot.height_m + config.clearance_m;
 	for (std::size_t i = 0; i < points.size(); ++i)
@@ -144,19 +126,25 @@ void OpenPath::addGroundObstacles(const AvoiderInput& input, const RobotConfig& 
 
 void OpenPath::addFlightObstacles(const AvoiderInput& input)
 {
-	const LevelFrame level = levelFrame(input.ground);
+	const LevelFrame level = levelFrame(input.ground, input.up_in_robot);
 	const PointCloud& points = *input.obstacles_in_robot;
 	for (std::size_t i = 0; i < points.size(); ++i) add(level.level_from_robot * points[i].cast<double>());
 }
 
 void OpenPath::add(const Eigen::Vector3d& point_in_level)
 {
+	// Of the clearance, for what is far: silhouettes are off by a pixel or two.
+	constexpr double kFarShare = 0.2;
 	// What rounding to float may add to a distance.
 	constexpr double kSlack_m = 1e-5;
-	const double nearest_m = point_in_level.head<2>().norm() - m_radius_m - kSlack_m;
+	const double gap_m = point_in_level.head<2>().norm() - m_radius_m;
+	const double nearness = std::clamp(1.0 - gap_m / m_clearance_range_m, kFarShare, 1.0);
+	const double radius_m = m_radius_m + m_clearance_m * nearness;
+	const double nearest_m = gap_m + m_radius_m - radius_m - kSlack_m;
 	if (!(nearest_m < m_range_m)) return;
 	const Eigen::Vector3f point = point_in_level.cast<float>();
-	m_samples.push_back({point.x(), point.y(), point.z(), static_cast<float>(std::max(0.0, nearest_m))});
+	m_samples.push_back(
+	    {point.x(), point.y(), point.z(), static_cast<float>(radius_m), static_cast<float>(std::max(0.0, nearest_m))});
 }
 
 double OpenPath::altitudeLimit(double elevation_rad) const
@@ -168,7 +156,8 @@ double OpenPath::altitudeLimit(double elevation_rad) const
 
 TravelSpan OpenPath::heightSpan(const ObstacleSample& sample, double sin_elevation) const
 {
-	const double low = sample.z - m_half_height_m, high = sample.z + m_half_height_m;
+	const double half_height_m = m_half_height_m + (sample.radius_m - m_radius_m);
+	const double low = sample.z - half_height_m, high = sample.z + half_height_m;
 	if (sin_elevation > 0.0) return {low / sin_elevation, high / sin_elevation};
 	if (sin_elevation < 0.0) return {high / sin_elevation, low / sin_elevation};
 	return low < 0.0 && high > 0.0 ? TravelSpan{-kInfinity, kInfinity} : TravelSpan{kInfinity, kInfinity};
@@ -206,11 +195,11 @@ std::vector<double> OpenPath::sweep(const DirectionFan& fan) const
 		const TravelSpan at_height = heightSpan(sample, sin_elevation);
 		if (at_height.enter_m >= limit_m || at_height.leave_m <= 0.0) continue;
 		const double rise = sample.z * sin_elevation;
-		forEachNear(fan, fastAzimuth(sample.y, sample.x), halfWidth(sample, m_radius_m),
+		forEachNear(fan, fastAzimuth(sample.y, sample.x), halfWidth(sample),
 		            [&](std::size_t k)
 		            {
 			            if (sample.nearest_m < open_m[k])
-				            open_m[k] = std::min(open_m[k], contact(sample, headings[k], m_radius_m, at_height, rise));
+				            open_m[k] = std::min(open_m[k], contact(sample, headings[k], at_height, rise));
 		            });
 	}
 	return open_m;

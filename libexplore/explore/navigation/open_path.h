@@ -2,36 +2,18 @@
 #pragma once
 
 #include <explore/navigation/avoider.h>
+#include <explore/navigation/direction_fan.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace explore
 {
-/** A direction of travel in the level frame. */
-struct Direction
-{
-	double azimuth_rad = 0;    ///< positive left
-	double elevation_rad = 0;  ///< positive up
-};
-
-/** The directions first_rad + k · step_rad, k = 0 … count − 1, at one elevation; they span less than a full turn. */
-struct DirectionFan
-{
-	double first_rad = 0, step_rad = 0;
-	std::size_t count = 0;
-	double elevation_rad = 0;
-
-	[[nodiscard]] Direction at(std::size_t k) const
-	{
-		return {first_rad + static_cast<double>(k) * step_rad, elevation_rad};
-	}
-};
-
 /** An obstacle point in the level frame. */
 struct ObstacleSample
 {
 	float x, y, z;
+	float radius_m;   ///< of the hull that must not touch it
 	float nearest_m;  ///< no direction reaches it sooner: distance in the plane − radius, at least 0
 };
 
@@ -43,8 +25,10 @@ struct TravelSpan
 
 /** The obstacles that the hull can touch, ready for questions about directions.
  *
- *  The hull is the upright cylinder of the robot's radius + clearance around the robot frame's origin. With p the
- *  obstacle point and θ̂ the direction, in the plane (Biswas & Veloso 2012, exact disc):
+ *  The hull is the upright cylinder of the robot's radius + clearance around the robot frame's origin. The clearance is
+ *  asked for at the robot and fades to a fifth at clearance_range_m: before the robot gets to what is further away it
+ *  measures that better and mends its way, and a way past it should not be lost for a centimetre. With p the obstacle
+ *  point and θ̂ the direction, in the plane (Biswas & Veloso 2012, exact disc):
  *
  *      d(θ) = min over p with p·θ̂ > 0 and ‖p⊥‖ < r of max(0, p·θ̂ − √(r² − ‖p⊥‖²)),  at most max_range_m.
  *
@@ -66,6 +50,8 @@ public:
 	[[nodiscard]] double along(const Direction& direction) const;
 	/** d [m] of each direction of the fan. */
 	[[nodiscard]] std::vector<double> along(const DirectionFan& fan) const;
+	/** The obstacles that may touch the hull. */
+	[[nodiscard]] const std::vector<ObstacleSample>& samples() const { return m_samples; }
 
 private:
 	void addGroundObstacles(const AvoiderInput& input, const RobotConfig& robot, const AvoiderConfig& config);
@@ -78,7 +64,7 @@ private:
 	[[nodiscard]] std::vector<double> sweep(const DirectionFan& fan) const;
 
 	std::vector<ObstacleSample> m_samples;
-	double m_radius_m;
+	double m_radius_m, m_clearance_m, m_clearance_range_m;
 	double m_half_height_m;  ///< infinite for a ground robot: heights are sorted out beforehand
 	double m_range_m;
 	double m_climb_m = 0, m_descent_m = 0;  ///< height to the ends of the flight band

@@ -1,5 +1,6 @@
 #include <explore/perception/obstacles.h>
 #include <explore/perception/perceive.h>
+#include <explore/perception/perceive_full.h>
 
 #include <array>
 #include <utility>
@@ -31,9 +32,12 @@ void perceiveWalls(Percepts& percepts, std::size_t filtered_count, const Eigen::
 
 void describe(FieldVisitor& fields, PerceptionConfig& config)
 {
-	static constexpr std::array<std::string_view, 1> kMethods{"paper"};
+	static constexpr std::array<std::string_view, 2> kMethods{"full", "paper"};
 	fields.section("perception", "From a depth image to ground, walls, doors and vanishing points (doc/method.md).");
-	fields.choice("method", config.method, kMethods, "paper: Xu et al. 2015, Algorithm 1.");
+	fields.choice("method", config.method, kMethods,
+	              "full: with evidence from every ray, verdict and confidence; paper: Xu et al. 2015, Algorithm 1.");
+	fields.choice("leave_out", config.leave_out, kRemedyNames,
+	              "full only: switches one of its parts off, to see what it buys.");
 	fields.integer("seed", config.seed, {0, 2147483647}, "", "Of every random choice: same seed, same result.");
 	describe(fields, config.range_filter);
 	describe(fields, config.near_field);
@@ -43,6 +47,13 @@ void describe(FieldVisitor& fields, PerceptionConfig& config)
 	describe(fields, config.walls);
 	describe(fields, config.door_gaps);
 	describe(fields, config.vanishing_points);
+	describe(fields, config.sensor_noise);
+	describe(fields, config.level);
+	describe(fields, config.upright_walls);
+	describe(fields, config.openings);
+	describe(fields, config.corridor);
+	describe(fields, config.corridor_ends);
+	describe(fields, config.obstacles);
 }
 
 PointCloud filteredVoxels(const DepthFrame& frame, const RangeFilterConfig& range_filter,
@@ -53,7 +64,9 @@ PointCloud filteredVoxels(const DepthFrame& frame, const RangeFilterConfig& rang
 	return grid.centroids();
 }
 
-Percepts perceive(const DepthFrame& frame, const PerceptionConfig& config)
+namespace
+{
+Percepts perceivePaper(const DepthFrame& frame, const PerceptionConfig& config)
 {
 	RandomEngine random(static_cast<RandomEngine::result_type>(config.seed));
 	const Eigen::Vector3d camera_in_robot = isometryOf(frame.robot_from_camera).translation();
@@ -70,5 +83,19 @@ Percepts perceive(const DepthFrame& frame, const PerceptionConfig& config)
 	}
 	percepts.near_field = nearField(frame, ground ? std::optional(ground->plane) : std::nullopt);
 	return percepts;
+}
+}  // namespace
+
+Percepts perceive(const DepthFrame& frame, const PerceptionConfig& config, const RobotConfig& robot,
+                  PerceptionMemory& memory)
+{
+	if (config.method == PerceptionMethod::paper || frame.image.empty()) return perceivePaper(frame, config);
+	return perceiveFull(frame, config, robot, memory);
+}
+
+Percepts perceive(const DepthFrame& frame, const PerceptionConfig& config, const RobotConfig& robot)
+{
+	PerceptionMemory memory;
+	return perceive(frame, config, robot, memory);
 }
 }  // namespace explore

@@ -14,10 +14,14 @@ std::optional<Ground> groundToReport(const std::optional<Ground>& seen, std::opt
 	return last;
 }
 
-AvoiderInput avoiderInput(const DepthFrame& frame, const Percepts& percepts, const GoalChoice& choice,
-                          const RobotConfig& robot)
+/** `sight` must outlive the result. */
+AvoiderInput avoiderInput(const DepthFrame& frame, const SightLines& sight, const Percepts& percepts,
+                          const GoalChoice& choice, const RobotConfig& robot)
 {
 	AvoiderInput input;
+	input.sight = &sight;
+	input.up_in_robot =
+	    frame.up_in_robot.value_or(percepts.ground ? percepts.ground->plane.normal : Eigen::Vector3d::UnitZ());
 	input.obstacles_in_robot = &percepts.obstacles_in_robot;
 	input.sensor_in_robot = isometryOf(frame.robot_from_camera).translation();
 	// A ground robot takes its floor along; a MAV has moved against the floor it saw earlier.
@@ -55,14 +59,15 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 	};
 	StepResult result;
 
-	result.percepts = perceive(frame, config.perception);  // lines 1–25
+	result.percepts = perceive(frame, config.perception, config.robot, state.perception);  // lines 1–25
 	result.percepts.ground = groundToReport(result.percepts.ground, state.last_ground);
 	done("perceive");
 
 	const GoalChoice choice = chooseGoal(result.percepts, config.robot, config.goal);  // lines 26–27: θ_o, θ_v → θ_d
 	done("choose");
 
-	const Avoidance avoidance = avoid(avoiderInput(frame, result.percepts, choice, config.robot), config.robot,
+	const SightLines sight = sightLines(frame);
+	const Avoidance avoidance = avoid(avoiderInput(frame, sight, result.percepts, choice, config.robot), config.robot,
 	                                  config.avoider);  // line 28: θ_a
 	done("avoid");
 

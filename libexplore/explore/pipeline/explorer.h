@@ -2,6 +2,7 @@
 #pragma once
 
 #include <explore/core/depth_frame.h>
+#include <explore/perception/perceive.h>
 #include <explore/pipeline/explorer_config.h>
 
 #include <functional>
@@ -15,6 +16,7 @@ struct ExplorerState
 {
 	std::optional<mrpt::Clock::time_point> last_timestamp;
 	std::optional<Ground> last_ground;
+	PerceptionMemory perception;
 	NearFieldGuard guard;
 	double speed_mps = 0;  ///< last commanded
 };

@@ -17,7 +17,8 @@ namespace explore::simulation
 namespace
 {
 constexpr int kDeviceWidth_px = 640;
-constexpr float kHole_px = 8.0F;  ///< size of a lost blob in an image as wide as the device's
+/** Sizes of blotches without return in an image as wide as the device's. */
+constexpr std::array<float, 4> kHoleSizes_px{3.0F, 6.0F, 11.0F, 20.0F};
 constexpr std::array<std::string_view, 3> kNoiseNames{"none", "kinect", "speckle"};
 
 double focalLength(int size_px, double field_of_view_deg)
@@ -49,16 +50,30 @@ std::vector<float> depthWithin(const SensorView& view, const DepthCameraConfig& 
 	return depth;
 }
 
+/** The share of the pixels that blobs of one of kHoleSizes take alone, such that those of all sizes and the single
+ *  pixels together take `share`. */
+float shareOfEach(double share)
+{
+	return static_cast<float>(1.0 - std::pow(1.0 - share, 1.0 / static_cast<double>(kHoleSizes_px.size() + 1)));
+}
+
+/** Takes away returns: in blotches of several sizes, and pixel by pixel. */
 void punchHoles(std::vector<float>& depth, const DepthCameraConfig& config, std::uint64_t seed)
 {
-	const NoiseKey key = noiseKey(seed, 3);
-	const auto share = static_cast<float>(config.hole_share);
 	const int width = config.intrinsics.width_px;
-	const float size_px = std::max(1.0F, kHole_px * static_cast<float>(width) / kDeviceWidth_px);
+	const float share = shareOfEach(config.hole_share), finer = static_cast<float>(width) / kDeviceWidth_px;
+	const NoiseKey pixels = noiseKey(seed, 3);
+	std::array<NoiseKey, kHoleSizes_px.size()> blotches;
+	for (std::size_t i = 0; i < blotches.size(); ++i) blotches[i] = noiseKey(seed, 31 + i);
 	for (std::size_t i = 0; i < depth.size(); ++i)
 	{
+		if (depth[i] <= 0.0F) continue;
 		const auto pixel = static_cast<int>(i);
-		if (depth[i] > 0.0F && noiseOfBlob(key, pixel % width, pixel / width, size_px) < share) depth[i] = 0.0F;
+		bool lost = noiseUniform(pixels, static_cast<std::uint32_t>(i)) < share;
+		for (std::size_t j = 0; j < blotches.size() && !lost; ++j)
+			lost = noiseOfBlob(blotches[j], pixel % width, pixel / width, std::max(1.0F, kHoleSizes_px[j] * finer)) <
+			       share;
+		if (lost) depth[i] = 0.0F;
 	}
 }
 }  // namespace
@@ -111,12 +126,14 @@ void describe(FieldVisitor& fields, DepthCameraConfig& config)
 	              "none: exact; kinect: formulas of Nguyen 2012; speckle: a projected pattern matched block by block.");
 	fields.real("baseline", config.baseline_m, {0.005, 1}, "m", "From the camera to the projector, on its right.");
 	fields.real("disparity_step_px", config.disparity_step_px, {0.001, 4}, "px", "Disparities are rounded to this.");
-	fields.real("noise_scale", config.noise_scale, {0, 10}, "", "Factor on the axial and lateral noise.");
+	fields.real("noise_scale", config.noise_scale, {0, 10}, "",
+	            "Factor on the noise of the depth: axial and lateral (kinect), of the disparities (speckle).");
 	fields.real("lateral_noise_px", config.lateral_noise_px, {0, 4}, "px",
 	            "Standard deviation of the place that a pixel looks at; with noise = kinect.");
 	fields.real("edge_dropout", config.edge_dropout, {0, 1}, "",
 	            "Share of the pixels along depth edges without a return; with noise = kinect.");
-	fields.real("hole_share", config.hole_share, {0, 1}, "", "Share of further pixels without a return, in blobs.");
+	fields.real("hole_share", config.hole_share, {0, 1}, "",
+	            "Share of further pixels without a return: blotches of several sizes and single pixels.");
 	fields.real("glass_dropout", config.glass_dropout, {0.2, 1}, "",
 	            "Share of a pane's pixels without a return at normal incidence; more where it is seen at an angle.");
 	fields.flag("color", config.color, "Render a flat-shaded colour picture too.");

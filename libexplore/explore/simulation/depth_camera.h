@@ -30,10 +30,10 @@ struct DepthCameraConfig
 	double baseline_m = 0.075;  ///< the projector is that far to the right of the camera: shadows fall to the left
 	double disparity_step_px = 0.125;  ///< sub-pixel resolution of the matcher, in pixels of this image
 	NoiseModel noise = NoiseModel::kinect;
-	double noise_scale = 1.0;       ///< factor on the axial and lateral noise
+	double noise_scale = 1.0;       ///< factor on the noise of the depth, whatever the model
 	double lateral_noise_px = 0.5;  ///< sigma of the shift of a pixel's line of sight, in pixels of this image
 	double edge_dropout = 0.5;      ///< share of the pixels along depth edges that lose their return
-	double hole_share = 0.0;        ///< further pixels that lose their return, in blobs, 0–1
+	double hole_share = 0.0;        ///< further pixels that lose their return, in blotches and one by one, 0–1
 	double glass_dropout = 0.4;     ///< share of a pane's pixels without a return at normal incidence, at least 0.2
 	bool color = false;             ///< render a flat-shaded picture too
 	int threads = 1;

@@ -87,11 +87,13 @@ bool before(const Opening& opening, const TruthView& view)
 	return false;
 }
 
-Visibility visibilityOf(const Count& grid, const std::array<Count, 2>& jambs, double range_m)
+/** `past_leaf` counts the opening's rays again, with the door's own leaf in their way. */
+Visibility visibilityOf(const Count& grid, const Count& past_leaf, const std::array<Count, 2>& jambs, double range_m)
 {
+	constexpr int kPastLeaf = 4;  // one ray in four shows the gap beside the leaf
 	if (10 * (grid.clear + grid.glass) < grid.all) return Visibility::hidden;
 	const bool visible = jambs[0].seen() && jambs[1].seen() && range_m <= kVisibleRange_m && 2 * grid.clear >= grid.all;
-	return visible ? Visibility::visible : Visibility::ignored;
+	return visible && kPastLeaf * past_leaf.clear >= grid.all ? Visibility::visible : Visibility::ignored;
 }
 }  // namespace
 
@@ -115,7 +117,7 @@ std::optional<TruthDoor> doorInView(const DoorLabel& label, const TruthView& vie
 		range_m = std::max(range_m, (jamb - view.cameraInMap()).head<2>().norm());
 	}
 	door.visible_share = grid.share(grid.clear);
-	door.visibility = visibilityOf(grid, jambs, range_m);
+	door.visibility = visibilityOf(grid, lookAtGrid(opening, view, {}), jambs, range_m);
 	if (label.height_m)
 	{
 		const Count lintel = lookAtLintel(opening, *label.height_m - kInsideEdge_m, view, leaf);

@@ -14,11 +14,13 @@ inline constexpr double kVisibleRange_m = 5.0;
  *  - Rays go to 12 × 20 points of the opening between sill and lintel (2 m above the floor without one, or where it is
  *    higher), and to 40 points of each jamb and 25 of the lintel, 3 cm inside the edge. All lie 2 cm before the wall's
  *    face on the camera's side, so that neither the reveal nor a moulding hides them, nor what stands in the opening.
- *  - Bodies called `<id>_leaf…` are the door's own leaf and hide nothing of it. Panes of glass hide a door only half:
- *    what is seen through them makes it `ignored`, not `visible`, and adds to no share.
+ *  - Bodies called `<id>_leaf…` are the door's own leaf and hide nothing of it, as long as a quarter of the opening's
+ *    rays get past it: a leaf on the camera's side that covers more makes the door `ignored`. Panes of glass hide a
+ *    door only half: what is seen through them makes it `ignored`, not `visible`, and adds to no share.
  *  - visible_share counts rays that miss the image as not visible. A jamb is in view when at least half of those of its
  *    points that are within the image are seen.
- *  - visible: both jambs in view and within kVisibleRange_m, visible_share ≥ 0.5. hidden: less than a tenth of the rays
- *    arrive, panes of glass left aside. ignored: all else, with it a door of which one jamb is out of the image. */
+ *  - visible: both jambs in view and within kVisibleRange_m, visible_share ≥ 0.5, a quarter past the leaf. hidden: less
+ * than a tenth of the rays arrive, panes of glass left aside. ignored: all else, with it a door of which one jamb is
+ * out of the image. */
 std::optional<TruthDoor> doorInView(const DoorLabel& label, const TruthView& view);
 }  // namespace explore::simulation

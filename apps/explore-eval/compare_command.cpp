@@ -1,0 +1,59 @@
+#include <common/exit_codes.h>
+#include <explore-eval/compare_command.h>
+#include <explore-eval/eval_outputs.h>
+#include <explore/evaluation/compare_runs.h>
+#include <explore/sinks/output_file.h>
+#include <explore/sinks/output_folder.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace explore::app
+{
+namespace
+{
+namespace fs = std::filesystem;
+using namespace evaluation;
+
+NamedRun readRun(const std::string& folder)
+{
+	const std::string name = fs::path(folder).lexically_normal().filename().string();
+	return {name.empty() || name == "." ? folder : name, readEval(EvalPaths(folder).eval)};
+}
+
+/** The folder's name, and what its --set has that the base's has not. */
+std::string nameBeside(const NamedRun& base, const NamedRun& run)
+{
+	std::string name = run.name;
+	for (const std::string& item : run.evaluation.setup.set)
+		if (std::ranges::find(base.evaluation.setup.set, item) == base.evaluation.setup.set.end())
+			name.append(" ").append(item);
+	return name;
+}
+
+void write(const fs::path& folder, const std::string& tables, const std::string& json)
+{
+	makeFolder(folder);
+	writeFileAtomically(folder / "compare.txt", tables);
+	writeFileAtomically(folder / "compare.json", json);
+}
+}  // namespace
+
+int compareEvaluations(const EvalOptions& options)
+{
+	const NamedRun base = readRun(options.base);
+	std::vector<RunComparison> comparisons;
+	for (const std::string& folder : options.others)
+	{
+		NamedRun other = readRun(folder);
+		other.name = nameBeside(base, other);
+		comparisons.push_back(compareRuns(base, other));
+	}
+	const std::string tables = comparisonText(base.name, comparisons);
+	if (!options.out.empty()) write(options.out, tables, comparisonJson(base.name, comparisons));
+	OutputFile::standardOutput().write(tables);
+	const auto exceeded = exceededLimits(options.costs, comparisons);
+	for (const std::string& line : exceeded) std::cerr << "explore-eval: costs too much: " << line << '\n';
+	return exceeded.empty() ? kDone : kRequirementMissed;
+}
+}  // namespace explore::app
