@@ -78,7 +78,10 @@ int makeGallery(const EvalOptions& options)
 	{
 		const std::string name = fs::path(log).stem().string();
 		if (!names.insert(name).second)
-			throw ConfigError(log + ": another log is called " + name + " too; their pictures need names of their own");
+			throw ConfigError(std::string(log)
+			                      .append(": another log is called ")
+			                      .append(name)
+			                      .append(" too; their pictures need names of their own"));
 		scenes.push_back(showLog(log, name, loaded, options));
 	}
 	const bool paper = loaded.config.explorer.perception.method == PerceptionMethod::paper;

@@ -38,7 +38,7 @@ TEST(WallBend, MeasuresTheCurvatureAndNamesTheRemedy)
 	for (const double curvature : {0.02, -0.015})
 	{
 		const WallBend bend = driveThroughCorridor(curvature, 25);
-		EXPECT_NEAR(bend.curvature_per_m(), curvature, 0.15 * std::abs(curvature) + 0.001);
+		EXPECT_NEAR(bend.curvaturePerM(), curvature, 0.15 * std::abs(curvature) + 0.001);
 		const auto remark = bentWallRemark(bend);
 		ASSERT_TRUE(remark);
 		EXPECT_THAT(*remark, testing::HasSubstr("depth_quadratic"));
@@ -50,7 +50,7 @@ TEST(WallBend, SaysNothingOfACalibratedCameraNorOfAFewFrames)
 {
 	const WallBend straight = driveThroughCorridor(0.0, 25);
 	EXPECT_GE(straight.frames, 20U);
-	EXPECT_NEAR(straight.curvature_per_m(), 0.0, 0.002);
+	EXPECT_NEAR(straight.curvaturePerM(), 0.0, 0.002);
 	EXPECT_FALSE(bentWallRemark(straight));
 	EXPECT_FALSE(bentWallRemark(driveThroughCorridor(0.02, 8)));
 	EXPECT_FALSE(bentWallRemark({}));

@@ -53,17 +53,17 @@ enum class Verdict
 /** What the rays through an opening met: why a door got its verdict (method = full). Shares are 0–1. */
 struct OpeningEvidence
 {
-	double through = 0;    ///< of the unoccluded rays: end on the floor beyond, or further behind than the robot is long
-	double stopped = 0;    ///< end sooner: a leaf, a back wall, something that stands there
+	double through = 0;  ///< of the unoccluded rays: end on the floor beyond, or further behind than the robot is long
+	double stopped = 0;  ///< end sooner: a leaf, a back wall, something that stands there
 	double no_return = 0;  ///< come back with nothing
 	double occluded = 0;   ///< of all rays: end well in front of the wall
 	double speckle = 0;    ///< share of holes, pixels without return, amid near surfaces seen through it (glass)
-	double left_wall = 0, right_wall = 0;         ///< how surely wall (or a wall across) stands beside each jamb
-	double sill = 0;                              ///< share of the wall's surface in the opening below knee height
-	std::optional<double> lintel_m;               ///< its height, where it was seen
-	double lowest_seen_m = 0, highest_seen_m = 0; ///< heights at which the opening was in view
-	std::optional<double> floor_beyond;           ///< share of the rays that should meet the floor there and do
-	double range_m = 0;                           ///< from the camera to the opening's middle
+	double left_wall = 0, right_wall = 0;          ///< how surely wall (or a wall across) stands beside each jamb
+	double sill = 0;                               ///< share of the wall's surface in the opening below knee height
+	std::optional<double> lintel_m;                ///< its height, where it was seen
+	double lowest_seen_m = 0, highest_seen_m = 0;  ///< heights at which the opening was in view
+	std::optional<double> floor_beyond;            ///< share of the rays that should meet the floor there and do
+	double range_m = 0;                            ///< from the camera to the opening's middle
 };
 
 struct Door

@@ -83,7 +83,7 @@ private:
 		if (i == Neighbours::kNobody) return 0.0F;
 		const float falls = outward <= 1 ? kWallFallsBack : kFloorFallsBack;
 		float here = depth(i);
-		std::ptrdiff_t next = static_cast<std::ptrdiff_t>(i);
+		auto next = static_cast<std::ptrdiff_t>(i);
 		for (int pair = 0; pair < 2; ++pair)  // the outermost ray may be a stray
 		{
 			next += outward;

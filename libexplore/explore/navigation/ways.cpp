@@ -103,9 +103,8 @@ WayFan Ways::along(const Direction& direction) const
 std::vector<double> Ways::printedLengths(const DirectionFan& fan) const
 {
 	std::vector<double> open_m(fan.count, m_config.max_range_m);
-	for (std::size_t i = 0; i < m_open_path.samples().size(); ++i)
+	for (const ObstacleSample& sample : m_open_path.samples())
 	{
-		const ObstacleSample& sample = m_open_path.samples()[i];
 		for (std::size_t k = 0; k < fan.count; ++k)
 		{
 			const Direction direction = fan.at(k);

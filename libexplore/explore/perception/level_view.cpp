@@ -14,7 +14,7 @@ constexpr double kFlightMargin_m = 0.35;  // cameras sit above or below the body
 struct Mount
 {
 	Eigen::Isometry3d robot_from_camera;
-	bool tells_height;  ///< an identity mount says nothing
+	bool tells_height = false;  ///< an identity mount says nothing
 };
 
 Mount mountOf(const DepthFrame& frame)

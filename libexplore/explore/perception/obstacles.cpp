@@ -109,7 +109,7 @@ struct RowView
 struct RowTest
 {
 	HeightLimits height;
-	float camera_height_m, row_rise, max_range_m, neighbour_share;
+	float camera_height_m = 0, row_rise = 0, max_range_m = 0, neighbour_share = 0;
 };
 
 /** For each pixel the depth at which its ray meets an obstacle (the floor's, for a drop); kNothing elsewhere. Written
@@ -165,7 +165,7 @@ PointCloud obstaclesInImage(const DepthFrame& frame, const std::optional<Plane>&
 PointCloud obstaclesInCloud(const DepthFrame& frame, const std::optional<Plane>& floor, const RobotConfig& robot,
                             const ObstacleConfig& config)
 {
-	const PointCloud voxels = voxelGrid(rangeFilter(frame, {config.max_range_m}), {});
+	PointCloud voxels = voxelGrid(rangeFilter(frame, {config.max_range_m}), {});
 	if (!floor) return voxels;
 	const Eigen::Vector3d sensor = isometryOf(frame.robot_from_camera).translation();
 	PointCloud points_in_robot;

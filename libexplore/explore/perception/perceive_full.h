@@ -10,6 +10,6 @@ namespace explore
 std::vector<Opening> allOpenings(const FullView& view, const RobotConfig& robot, const PerceptionConfig& config);
 
 /** Of an organised frame. */
-Percepts perceiveFull(const DepthFrame& frame, const PerceptionConfig& config, const RobotConfig& robot,
+Percepts perceiveFull(const DepthFrame& frame, const PerceptionConfig& given, const RobotConfig& robot,
                       PerceptionMemory& memory);
 }  // namespace explore

@@ -110,7 +110,7 @@ std::vector<LinePiece> piecesOf(const PlanScan& scan, const PlanLine& line, cons
 		const auto point = static_cast<std::size_t>(i);
 		const double along = alongOf(scan, line, i);
 		// half of what one direction covers of the wall
-		const double x = static_cast<double>(scan.x[point]);
+		const auto x = static_cast<double>(scan.x[point]);
 		const double half = 0.5 * scan.bin_width * x * std::hypot(1.0, scan.slope[point]) *
 		                    std::hypot(along, line.offset_m) / line.offset_m;
 		const bool apart = pieces.empty() || (scan.bin[point] > last_bin + kBreakBins &&

@@ -11,6 +11,16 @@ namespace explore
 {
 namespace
 {
+std::size_t unsignedOf(int index)
+{
+	return static_cast<std::size_t>(index);
+}
+
+std::size_t placeOf(int row, int column, const SampleGrid& grid)
+{
+	return unsignedOf(row) * unsignedOf(grid.columns) + unsignedOf(column);
+}
+
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLyingDown = 0.5;        // cosine: more than 60° off the robot's z axis is no attitude to fly at
 constexpr double kNormalSigma = 0.15;     // of one sample's normal, rad
@@ -60,12 +70,12 @@ public:
 private:
 	[[nodiscard]] float depth(int down, int right) const
 	{
-		return m_grid.depth_m[static_cast<std::size_t>((m_row + down) * m_grid.columns + m_column + right)];
+		return m_grid.depth_m[placeOf(m_row + down, m_column + right, m_grid)];
 	}
 	[[nodiscard]] Eigen::Vector3f point(int down, int right) const
 	{
-		return depth(down, right) * Eigen::Vector3f(1.0F, m_grid.ray_y[static_cast<std::size_t>(m_column + right)],
-		                                            m_grid.ray_z[static_cast<std::size_t>(m_row + down)]);
+		return depth(down, right) * Eigen::Vector3f(1.0F, m_grid.ray_y[unsignedOf(m_column + right)],
+		                                            m_grid.ray_z[unsignedOf(m_row + down)]);
 	}
 
 	const SampleGrid& m_grid;
@@ -82,7 +92,7 @@ Normals steadyNormals(const SampleGrid& grid, const SensorNoiseConfig& noise)
 	for (int row = kMinReach; row < grid.rows - kMinReach; row += kThinning)
 		for (int column = kMinReach; column < grid.columns - kMinReach; column += kThinning)
 		{
-			const float depth = grid.depth_m[static_cast<std::size_t>(row * grid.columns + column)];
+			const float depth = grid.depth_m[placeOf(row, column, grid)];
 			if (!(depth > 0.0F)) continue;
 			const int reach = reachAt(static_cast<double>(depth), step_per_depth, noise);
 			if (std::min({row, column, grid.rows - 1 - row, grid.columns - 1 - column}) < reach) continue;

@@ -38,10 +38,10 @@ double directionOf(const UprightWall& wall)
 }
 }  // namespace
 
-double WallBend::sigma_per_m() const
+double WallBend::sigmaPerM() const
 {
 	if (!(weight > 0)) return 1.0;
-	const double variance = std::max(0.0, weighted_squares / weight - curvature_per_m() * curvature_per_m());
+	const double variance = std::max(0.0, weighted_squares / weight - curvaturePerM() * curvaturePerM());
 	return std::hypot(kBuilding_per_m, std::sqrt(variance / static_cast<double>(frames)));
 }
 
@@ -69,14 +69,14 @@ WallBend withFrame(const WallBend& bend, std::span<const UprightWall> walls, con
 
 std::optional<std::string> bentWallRemark(const WallBend& bend)
 {
-	const double curvature = bend.curvature_per_m();
+	const double curvature = bend.curvaturePerM();
 	if (bend.frames < kMinFrames || std::abs(curvature) < kWorthSaying_per_m) return std::nullopt;
-	if (std::abs(curvature) < kSigmas * bend.sigma_per_m()) return std::nullopt;
+	if (std::abs(curvature) < kSigmas * bend.sigmaPerM()) return std::nullopt;
 	std::ostringstream text;
 	text << std::fixed << std::setprecision(0) << "Walls that should be square look bent, as if depths were "
 	     << 100.0 * 25.0 * std::abs(curvature) << " cm too " << (curvature > 0 ? "large" : "small")
 	     << " at 5 m: change [camera] depth_quadratic by " << std::setprecision(4) << std::showpos << -curvature
-	     << std::noshowpos << " (seen in " << bend.frames << " frames, +-" << bend.sigma_per_m()
+	     << std::noshowpos << " (seen in " << bend.frames << " frames, +-" << bend.sigmaPerM()
 	     << "), and depth_scale where known distances are wrong as well";
 	return text.str();
 }

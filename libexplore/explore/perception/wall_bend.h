@@ -17,9 +17,9 @@ struct WallBend
 	std::size_t frames = 0;  ///< that showed walls to compare
 	double weight = 0, weighted = 0, weighted_squares = 0;
 
-	[[nodiscard]] double curvature_per_m() const { return weight > 0 ? weighted / weight : 0.0; }  ///< k
-	/** Standard deviation of curvature_per_m(): the scatter between frames, and that rooms are not quite square. */
-	[[nodiscard]] double sigma_per_m() const;
+	[[nodiscard]] double curvaturePerM() const { return weight > 0 ? weighted / weight : 0.0; }  ///< k
+	/** Standard deviation of curvaturePerM(): the scatter between frames, and that rooms are not quite square. */
+	[[nodiscard]] double sigmaPerM() const;
 };
 
 /** `bend` and what the walls of one more view say: pairs of long walls within 8° of parallel or of a right angle. Views
