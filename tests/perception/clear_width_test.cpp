@@ -60,9 +60,8 @@ private:
 		if (visited[cell]) return;
 		visited[cell] = true;
 		const Eigen::Vector2d center(0.5 * m_width_m + (i - kCells / 2) * kStep_m, (j - kCells / 2) * kStep_m);
-		const double from_wall =
-		    std::min(std::hypot(std::max(0.0, center.x()), center.y()),
-		             std::hypot(std::max(0.0, m_width_m - center.x()), center.y()));
+		const double from_wall = std::min(std::hypot(std::max(0.0, center.x()), center.y()),
+		                                  std::hypot(std::max(0.0, m_width_m - center.x()), center.y()));
 		double nearest = from_wall;
 		for (const auto& obstacle : m_obstacles) nearest = std::min(nearest, (obstacle - center).norm());
 		if (2.0 * nearest >= diameter_m) next.emplace_back(i, j);
