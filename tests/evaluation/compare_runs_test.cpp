@@ -39,7 +39,7 @@ bool hard(int scene)
 	return scene % 3 == 0;
 }
 
-const Difference& figure(const RunComparison& run, std::string_view name)
+Difference figure(const RunComparison& run, std::string_view name)
 {
 	const auto figures = comparedFigures();
 	for (std::size_t i = 0; i < figures.size(); ++i)
@@ -63,7 +63,7 @@ TEST(CompareRuns, SceneByScene)
 	const RunComparison comparison = compareRuns(base, other);
 	EXPECT_EQ(comparison.scenes, 300U);
 	EXPECT_EQ(comparison.unpaired, 0U);
-	const Difference& recall = figure(comparison, "recall");
+	const Difference recall = figure(comparison, "recall");
 	EXPECT_DOUBLE_EQ(*recall.base, 200.0 / 300.0);
 	// Of scenes 1, 51, 101 ... those not hard: 1, 101, 151, 251.
 	EXPECT_NEAR(*recall.difference, -4.0 / 300.0, 1e-12);
@@ -78,7 +78,7 @@ TEST(CompareRuns, SceneByScene)
 TEST(CompareRuns, TheSameRunDiffersByNothing)
 {
 	const auto base = runOf("base", {doorLog("a.rawlog", [](int scene) { return !hard(scene); })});
-	const Difference& recall = figure(compareRuns(base, base), "recall");
+	const Difference recall = figure(compareRuns(base, base), "recall");
 	EXPECT_EQ(*recall.difference, 0.0);
 	EXPECT_EQ(recall.interval->low, 0.0);
 	EXPECT_EQ(recall.interval->high, 0.0);
@@ -109,7 +109,7 @@ TEST(CompareRuns, CalibrationIsCompared)
 		base.evaluation.logs[0].scenes[i].tally.candidates = {{0.9, right}};
 		other.evaluation.logs[0].scenes[i].tally.candidates = {{0.7, right}};
 	}
-	const Difference& error = figure(compareRuns(base, other), "calibration_error");
+	const Difference error = figure(compareRuns(base, other), "calibration_error");
 	EXPECT_LT(*error.base, 0.04);
 	EXPECT_NEAR(*error.other, 0.2, 0.04);
 	EXPECT_GT(error.interval->low, 0.1);
