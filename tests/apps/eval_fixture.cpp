@@ -107,4 +107,11 @@ std::filesystem::path writeScoredLog(const std::filesystem::path& folder, const 
 	evaluation::writeTruth(evaluation::truthPathOf(log), truth);
 	return log;
 }
+
+ProgramResult exploreEval(std::vector<std::string> arguments, const Program::Setup& setup)
+{
+	if (!arguments.empty() && arguments[0].ends_with(".rawlog"))
+		arguments.insert(arguments.end(), {"--set", "perception.method=paper"});
+	return Program(EXPLORE_EVAL_PROGRAM, arguments, setup).wait();
+}
 }  // namespace explore::test

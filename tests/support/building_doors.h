@@ -3,6 +3,7 @@
 
 #include "support/building_plan.h"
 
+#include <functional>
 #include <optional>
 
 namespace explore::test
@@ -37,6 +38,8 @@ public:
 	bool dropDoor(BuildingWall& wall, int stairs_side);
 
 private:
+	/** Near what the robots need (0.54 m and 0.70 m): whether they fit would be a matter of millimetres. */
+	[[nodiscard]] static bool doubtful(double clear_m);
 	[[nodiscard]] Opening basic(double width_m);
 	void chooseState(Opening& opening, const BuildingWall& wall);
 	void hangLeaf(Opening& opening, const BuildingWall& wall);
@@ -46,8 +49,7 @@ private:
 	void measureCorners(const BuildingWall& wall, Opening& opening) const;
 	[[nodiscard]] bool fits(const BuildingWall& wall, const Opening& opening) const;
 	/** Tries until place and state fit. */
-	template <class MakeOpening>
-	bool hang(BuildingWall& wall, const MakeOpening& make);
+	bool hang(BuildingWall& wall, const std::function<Opening()>& make);
 	void take(BuildingWall& wall, Opening opening);
 
 	Plan& m_plan;
