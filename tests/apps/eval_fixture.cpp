@@ -102,7 +102,7 @@ std::filesystem::path writeScoredLog(const std::filesystem::path& folder, const 
 		frames.push_back(std::move(frame));
 		truth.frames.push_back(std::move(truth_frame));
 	}
-	const auto log = folder / (name + ".rawlog");
+	auto log = folder / (name + ".rawlog");
 	writeRawlog(log, frames);
 	evaluation::writeTruth(evaluation::truthPathOf(log), truth);
 	return log;

@@ -47,7 +47,7 @@ private:
 	[[nodiscard]] std::optional<double> freeMiddle(const BuildingWall& wall, double width_m, bool corner);
 	/** From its jambs to the walls across on the leaf's side, and so where there is place for casings. */
 	void measureCorners(const BuildingWall& wall, Opening& opening) const;
-	[[nodiscard]] bool fits(const BuildingWall& wall, const Opening& opening) const;
+	[[nodiscard]] bool fits(const BuildingWall& wall, const Opening& whole) const;
 	/** Tries until place and state fit. */
 	bool hang(BuildingWall& wall, const std::function<Opening()>& make);
 	void take(BuildingWall& wall, Opening opening);

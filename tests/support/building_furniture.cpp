@@ -194,8 +194,6 @@ void furnish(Sketch& sketch, Plan& plan, Room& room, Dice& dice)
 			furnishLiving(space);
 			break;
 		case Use::bedroom:
-			furnishBedroom(space);
-			break;
 		case Use::guest:
 			furnishBedroom(space);
 			break;

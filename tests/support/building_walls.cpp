@@ -96,7 +96,7 @@ void raiseWalls(Plan& plan, Dice& dice)
 		if (stretch.low_side < 0 || stretch.high_side < 0) wanted = plan.outer_m;
 		wall_m = std::max(wall_m, wanted);
 	}
-	const auto halfAt = [&](const Line& line)
+	const auto half_at = [&](const Line& line)
 	{
 		const auto found = thickness.find(line);
 		return found == thickness.end() ? 0.0 : 0.5 * found->second;
@@ -109,8 +109,8 @@ void raiseWalls(Plan& plan, Dice& dice)
 		    along_x ? Vector2d(stretch.from, stretch.line.at) : Vector2d(stretch.line.at, stretch.from);
 		wall.frame = {{from, along_x ? 0.0 : std::numbers::pi / 2}, thickness[stretch.line], plan.height_m};
 		wall.length_m = stretch.to - stretch.from;
-		wall.from_m = halfAt(lineAt(!along_x, stretch.from));
-		wall.to_m = wall.length_m - halfAt(lineAt(!along_x, stretch.to));
+		wall.from_m = half_at(lineAt(!along_x, stretch.from));
+		wall.to_m = wall.length_m - half_at(lineAt(!along_x, stretch.to));
 		wall.left = along_x ? stretch.high_side : stretch.low_side;
 		wall.right = along_x ? stretch.low_side : stretch.high_side;
 		plan.walls.push_back(std::move(wall));
@@ -119,9 +119,9 @@ void raiseWalls(Plan& plan, Dice& dice)
 	{
 		room.inside = room.axes;
 		room.inside.min() +=
-		    Vector2d(halfAt(lineAt(false, room.axes.min().x())), halfAt(lineAt(true, room.axes.min().y())));
+		    Vector2d(half_at(lineAt(false, room.axes.min().x())), half_at(lineAt(true, room.axes.min().y())));
 		room.inside.max() -=
-		    Vector2d(halfAt(lineAt(false, room.axes.max().x())), halfAt(lineAt(true, room.axes.max().y())));
+		    Vector2d(half_at(lineAt(false, room.axes.max().x())), half_at(lineAt(true, room.axes.max().y())));
 	}
 }
 }  // namespace explore::test

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace explore::test
 {
@@ -22,8 +23,8 @@ constexpr double kCorridorShare = 0.12;  ///< of the poses that look along a cor
 class Sampler
 {
 public:
-	Sampler(const RayScene& scene, const SampleOptions& options, std::uint64_t seed)
-	    : m_scene(scene), m_options(options), m_dice(seed), m_floor(scene)
+	Sampler(const RayScene& scene, SampleOptions options, std::uint64_t seed)
+	    : m_scene(scene), m_options(std::move(options)), m_dice(seed), m_floor(scene)
 	{
 		if (m_floor.empty()) throw std::runtime_error("no free floor around the world's spawns");
 		for (const CorridorLabel& corridor : scene.world().corridors)
