@@ -27,6 +27,7 @@ struct Jamb
 	JambKind kind = JambKind::nothing;
 	double support = 0;  ///< share of the rays just beyond the edge that meet what bounds the opening, 0–1
 	int rays = 0;        ///< how many there were
+	double face = 0;  ///< share of the rays just inside the edge that end a little behind the wall: on the jamb's face
 };
 
 struct JambConfig
