@@ -80,6 +80,7 @@ bool DoorwayPlan::isSeenFree(int column, float per_row) const
 {
 	const int first_row = static_cast<int>(m_front_m / kCell_m);
 	const int rows = std::min(m_rows - first_row, static_cast<int>(kLane_m / kCell_m));
+	bool looked = false;
 	for (int row = 0; row < rows; ++row)
 	{
 		const int at = column + static_cast<int>(std::lround(per_row * (static_cast<float>(row) + 0.5F)));
@@ -87,8 +88,9 @@ bool DoorwayPlan::isSeenFree(int column, float per_row) const
 		const Cell& cell = m_cells[static_cast<std::size_t>(first_row + row) * static_cast<std::size_t>(m_columns) +
 		                           static_cast<std::size_t>(at)];
 		if (cell.sights == 0 || stands(cell)) return false;
+		looked = true;
 	}
-	return true;
+	return looked;
 }
 
 double DoorwayPlan::seenLane_m() const

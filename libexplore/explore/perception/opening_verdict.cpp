@@ -10,12 +10,12 @@ namespace
 {
 constexpr double kNarrowed_m = 0.08;  // what stands in an opening takes at least this of its width
 constexpr double kWidestLeaf_m = 1.4;
+constexpr double kMostly = 0.6;                         // of the rays end on a closed leaf
 constexpr double kSomeWay = 0.02;                       // of the rays lead on where a room is merely dark and large
 constexpr double kSurelyNot = 0.05;                     // P(pass) at most, of what swallows rays or has no floor
 constexpr double kLeaf_m = 1.0;                         // a leaf is higher
 constexpr double kFace_m = 0.3;                         // of wall beside a wide passage
 constexpr double kShown_m = 0.15;                       // of wall at the edge of the image, at least
-constexpr double kPier_m = 0.5;                         // wall between two doors; pillars are narrower
 constexpr double kHighLintel_m = 2.35;                  // from here on it may be the ceiling that meets the wall
 constexpr double kCeiling_m = 2.2;                      // rooms are higher, furniture is lower
 constexpr double kPaperMin_m = 0.8, kPaperMax_m = 1.6;  // th_g^min, th_g^max
@@ -26,15 +26,9 @@ double noReturnExcess(const OpeningMeasure& measure)
 }
 
 /** Wall that is surely no pillar and no face of another door's jamb. */
-bool isSolid(const WallPiece& piece)
+bool isSolid(const WallPiece& piece, const VerdictConfig& config)
 {
-	return piece.length_m >= kPier_m || (!piece.ends && !piece.hidden && piece.length_m >= kShown_m);
-}
-
-/** Wall as far as one sees; or the corner of a room, where a wall across hides how it goes on. */
-bool mayBeWall(const WallPiece& piece)
-{
-	return !piece.ends || piece.length_m >= kPier_m;
+	return piece.length_m >= config.pillar_m || (!piece.ends && !piece.hidden && piece.length_m >= kShown_m);
 }
 
 /** Whether what stands beside the opening is part of the building: joined above by a lintel, or wall that goes up to
@@ -46,10 +40,11 @@ bool isBuilt(const OpeningFrame& frame, const OpeningMeasure& measure, const Ope
 	if (lintel_m && *lintel_m < kHighLintel_m) return true;
 	if (measure.top_beside_m < kCeiling_m) return false;
 	if (std::max(context.left.length_m, context.right.length_m) >= config.pillar_m) return true;
-	const bool left = isSolid(context.left), right = isSolid(context.right);
+	const bool left = isSolid(context.left, config), right = isSolid(context.right, config);
 	if (frame.width_m() > config.door_width_m)
 		return std::min(context.left.length_m, context.right.length_m) >= (left && right ? 0.0 : kFace_m);
-	return (left && mayBeWall(context.right)) || (right && mayBeWall(context.left));
+	// The corner of a room, where a wall across hides how it goes on, may be beside the other jamb.
+	return (left && !context.right.ends) || (right && !context.left.ends);
 }
 
 /** Structure that no door or passage has. */
@@ -61,11 +56,6 @@ bool isNoDoor(const OpeningFrame& frame, const OpeningMeasure& measure, const Ve
 	if (config.height_profile && evidence.sill > config.max_sill) return true;
 	if (!config.robot_size && (frame.width_m() < kPaperMin_m || frame.width_m() > kPaperMax_m)) return true;
 	return frame.left.kind == JambKind::nothing || frame.right.kind == JambKind::nothing;
-}
-
-bool leadsNowhere(const OpeningMeasure& measure, const VerdictConfig& config)
-{
-	return measure.evidence.through < config.min_through && noReturnExcess(measure) < config.max_no_return;
 }
 
 /** Glass swallows rays here and there amid the surfaces behind it; what is merely out of range is missing as a whole,
@@ -108,25 +98,29 @@ Verdict passableVerdict(const OpeningFrame& frame, const OpeningMeasure& measure
 	return no_lintel || frame.width_m() > config.door_width_m ? Verdict::passage : Verdict::open;
 }
 
-/** What an opening is that cannot be passed, as far as one sees; no value for what nobody would call a door. */
+/** The verdict that nothing comes back from there, or that the floor is missing: whatever else is seen. */
+std::optional<Verdict> veto(const OpeningMeasure& measure, const VerdictConfig& config)
+{
+	if (isGlass(measure, config) || isDark(measure, config)) return Verdict::unknown;
+	return isDrop(measure, config) ? std::optional(Verdict::drop) : std::nullopt;
+}
+
+/** What an opening that cannot be passed is, as far as one sees; no value for what nobody would call a door. */
 std::optional<Verdict> otherVerdict(const OpeningFrame& frame, const OpeningMeasure& measure,
                                     const OpeningContext& context, const VerdictConfig& config)
 {
 	const OpeningEvidence& evidence = measure.evidence;
-	if (!isBuilt(frame, measure, context, config)) return std::nullopt;
-	if (leadsNowhere(measure, config))
+	if (evidence.through < config.min_through && noReturnExcess(measure) < config.max_no_return)
 	{
-		const bool leaf = evidence.stopped > 0.6 && measure.stop_depth_m < config.max_recess_m;
+		const bool leaf = evidence.stopped > kMostly && measure.stop_depth_m < config.max_recess_m;
 		const bool framed = frame.left.kind == JambKind::wall && frame.right.kind == JambKind::wall;
-		if (leaf && framed && frame.width_m() < kWidestLeaf_m) return Verdict::closed;
-		return std::nullopt;
+		return leaf && framed && frame.width_m() < kWidestLeaf_m ? std::optional(Verdict::closed) : std::nullopt;
 	}
 	if (isUnseen(frame.left) || isUnseen(frame.right))
 	{
-		// Only beside a wall that surely is one.
 		const double length_m = std::max(context.left.length_m, context.right.length_m);
-		if (!evidence.lintel_m && length_m < config.surely_wall_m) return std::nullopt;
-		return Verdict::partial;
+		const bool sure = evidence.lintel_m || length_m >= config.partial_wall_m;
+		return sure ? std::optional(Verdict::partial) : std::nullopt;
 	}
 	// An opening that is too narrow by itself is open for smaller robots: clear_width says so.
 	if (frame.width_m() < context.needed_width_m) return passableVerdict(frame, measure, config);
@@ -160,7 +154,11 @@ void describe(FieldVisitor& fields, VerdictConfig& config)
 	fields.real("max_floor_missing", config.max_floor_missing, {0.0, 1.0}, "",
 	            "Near floor behind an opening of which more than this share returns nothing is a drop.");
 	fields.real("pillar_width", config.pillar_m, {0.05, 2.0}, "m",
-	            "A piece of wall narrower than this, with nothing above that joins it to the next, is a pillar.");
+	            "Wall beside an opening that ends in view before this length, with no lintel above, may be a pillar.");
+	fields.real("partial_wall", config.partial_wall_m, {0.1, 10.0}, "m",
+	            "With a jamb and the lintel out of view, this much wall must be seen beside an opening to report it.");
+	fields.real("min_confidence", config.min_confidence, {0.0, 1.0}, "",
+	            "An opening is reported as passable from this probability on.");
 }
 
 std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const OpeningMeasure& measure,
@@ -168,10 +166,11 @@ std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const Open
 {
 	if (isNoDoor(frame, measure, config)) return std::nullopt;
 	const double passable = passProbability(openingFeatures(frame, measure, context));
-	const double surely_not = std::min(passable, kSurelyNot);
-	if (isGlass(measure, config) || isDark(measure, config)) return OpeningVerdict{Verdict::unknown, surely_not};
-	if (isDrop(measure, config)) return OpeningVerdict{Verdict::drop, surely_not};
-	if (passable >= config.min_confidence) return OpeningVerdict{passableVerdict(frame, measure, config), passable};
+	const auto vetoed = veto(measure, config);
+	if (!vetoed && passable >= config.min_confidence)
+		return OpeningVerdict{passableVerdict(frame, measure, config), passable};
+	if (!isBuilt(frame, measure, context, config)) return std::nullopt;
+	if (vetoed) return OpeningVerdict{*vetoed, std::min(passable, kSurelyNot)};
 	const auto other = otherVerdict(frame, measure, context, config);
 	return other ? std::optional(OpeningVerdict{*other, passable}) : std::nullopt;
 }

@@ -20,11 +20,10 @@ struct VerdictConfig
 	double max_range_m = 5.1;        ///< of either jamb: further away a wall is not surely one
 	double min_through = 0.15;       ///< of the rays: less leads nowhere
 	double max_recess_m = 0.25;      ///< a leaf stands within this behind the wall's face
-	double min_support = 0.4;        ///< of the rays beside a jamb meet what it stands on
 	double min_floor = 0.88;         ///< of the rays that should meet floor behind: less is a drop
 	double max_floor_missing = 0.7;  ///< of the rays to near floor behind: more is a drop as well
-	double pillar_m = 0.5;           ///< a piece of wall this narrow, without a lintel, is a pillar
-	double surely_wall_m = 1.0;      ///< a piece of wall this long surely is one: openings at its end are reported
+	double pillar_m = 0.5;           ///< a piece of wall that ends in view before this length may be a pillar
+	double partial_wall_m = 1.0;     ///< of wall beside an opening whose other jamb, and lintel, are out of view
 	double min_confidence = 0.5;     ///< P(the robot can pass) from which on an opening is passable
 	// For comparison, the remedies of method.md one by one:
 	bool height_profile = true;  ///< sill and lintel count
@@ -40,8 +39,9 @@ struct OpeningVerdict
 	double confidence = 0;  ///< P(the robot can pass now)
 };
 
-/** No value: not an opening that anybody would call a door or a passage (window, niche, gap between furniture, shadow).
- */
+/** Passable where passProbability() is high enough, unless something swallows the rays or the floor is missing; else
+ *  rules tell why not. No value: not an opening that anybody would call a door or a passage (window, niche, gap between
+ *  furniture, shadow). */
 std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const OpeningMeasure& measure,
                                            const OpeningContext& context, const VerdictConfig& config);
 }  // namespace explore
