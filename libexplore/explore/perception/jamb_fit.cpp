@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace explore
 {
@@ -13,6 +14,8 @@ constexpr double kBin_m = 0.005;
 constexpr std::size_t kMaxBins = 128;
 constexpr int kEnoughRays = 4000;  // more rows do not make the edge sharper
 constexpr int kFewRays = 12;
+constexpr double kCasing_m = 0.05;  // wide, at least
+constexpr double kThickest_m = 0.04;
 constexpr double kFace_m = 0.02;    // inside an edge, where its jamb's face is looked for
 constexpr double kOnEdge_m = 0.04;  // a surface this near to the edge touches it
 
@@ -27,7 +30,8 @@ struct EdgeHistogram
 	std::array<int, kMaxBins> missing{};     ///< without return
 	std::array<int, kMaxBins> all{};
 	std::size_t bins = 0;
-	double ray_width_m = 0;  ///< between neighbouring columns, on the wall
+	std::array<float, kMaxBins> front_sum_m{};  ///< over `near_plane`: how far before the plane
+	double ray_width_m = 0;                     ///< between neighbouring columns, on the wall
 };
 
 struct EdgeChoice
@@ -82,6 +86,7 @@ EdgeHistogram histogramAround(const RayJudge& judge, double guess_m, JambSide si
 			const bool wall = met == RayMet::wall, beside = met == RayMet::beside, front = met == RayMet::front;
 			edge.on_wall.at(bin) += static_cast<int>(wall);
 			edge.near_plane.at(bin) += static_cast<int>(wall || beside);
+			if (wall || beside) edge.front_sum_m.at(bin) += judge.rays().inFront_m(crossing, judge.depth(u, v));
 			edge.outside.at(bin) += static_cast<int>(wall || beside || front);
 			edge.inside.at(bin) += static_cast<int>(met == RayMet::through || met == RayMet::shallow);
 			edge.shallow.at(bin) += static_cast<int>(met == RayMet::shallow);
@@ -100,6 +105,18 @@ int sum(const std::array<int, kMaxBins>& counts, std::size_t first, std::size_t 
 	return total;
 }
 
+/** Mean distance before the plane of what lies right beside the edge, as far as a casing reaches. */
+double reliefAt(const EdgeHistogram& edge, std::size_t bin)
+{
+	const std::size_t end = std::min(edge.bins, bin + static_cast<std::size_t>(kCasing_m / kBin_m));
+	const int rays = sum(edge.near_plane, bin, end);
+	if (rays < kFewRays) return 0.0;
+	const auto first = edge.front_sum_m.begin();
+	const float front_m =
+	    std::accumulate(first + static_cast<std::ptrdiff_t>(bin), first + static_cast<std::ptrdiff_t>(end), 0.0F);
+	return std::clamp(static_cast<double>(front_m) / rays, 0.0, kThickest_m);
+}
+
 /** The jamb at an edge: what stands in the strip beyond it. */
 Jamb jambAt(const EdgeHistogram& edge, const std::array<int, kMaxBins>& standing, std::size_t bin, JambKind kind,
             const JambConfig& config)
@@ -113,6 +130,7 @@ Jamb jambAt(const EdgeHistogram& edge, const std::array<int, kMaxBins>& standing
 	const int missing = sum(edge.missing, bin, end);
 	const int counted = jamb.rays - missing >= kFewRays ? jamb.rays - missing : jamb.rays;
 	jamb.support = counted == 0 ? 0.0 : static_cast<double>(sum(standing, bin, end)) / counted;
+	jamb.relief_m = reliefAt(edge, bin);
 	const auto inward = static_cast<std::size_t>(std::max(kFace_m, 3.0 * edge.ray_width_m) / kBin_m);
 	const std::size_t first = bin > inward ? bin - inward : 0;
 	const int inside = sum(edge.inside, first, bin);

@@ -8,10 +8,10 @@ namespace explore
 {
 namespace
 {
-constexpr double kUsualWall_m = 0.10;     // deep, at least
-constexpr double kFaceInView_m = 0.03;    // along the wall: so much of a jamb's face would be noticed …
-constexpr double kFaceSeen = 0.15;        // … as this share of the rays just inside the edge
-constexpr double kProfileMargin_m = 2.0;  // of a wall beyond its samples: a door between its end and the corner
+constexpr double kNearest_m = 0.4;      // that the camera sees
+constexpr double kUsualWall_m = 0.10;   // deep, at least
+constexpr double kFaceInView_m = 0.03;  // along the wall: so much of a jamb's face would be noticed …
+constexpr double kFaceSeen = 0.15;      // … as this share of the rays just inside the edge
 
 /** The heights between which things in a doorway are in the robot's way. */
 BodyBand bodyBand(const RobotConfig& robot, const OpeningsConfig& config)
@@ -45,16 +45,22 @@ WallPiece pieceBeside(const WallProfile& profile, double from_m, JambSide side)
 /** How much further out a jamb is than it seems. Where rays lead outward they end on the jamb's face, and as long as
  *  that is within the tolerance behind the wall they count as wall. Walls too thin to have a face show none where one
  *  as deep as walls usually have would be seen. */
-double hiddenBySurface(const RayJudge& judge, const Jamb& jamb, JambSide side)
+double hiddenBySurface(const RayJudge& judge, const UprightWall& wall, const Jamb& jamb, JambSide side)
 {
 	const double outward_m = side == JambSide::right ? jamb.along_m : -jamb.along_m;
 	if (outward_m <= 0.0 || jamb.kind != JambKind::wall) return 0.0;
-	const double range_m = std::hypot(outward_m, judge.distance_m());
+	const double depth_m = std::max(kNearest_m, wall.at(jamb.along_m).x());
 	const double tolerance_m =
-	    judge.tolerance_m() + judge.noiseOf(static_cast<float>(range_m)) * judge.distance_m() / range_m;
+	    judge.tolerance_m() + judge.noiseOf(static_cast<float>(depth_m)) * judge.distance_m() / depth_m;
 	const double slope = outward_m / judge.distance_m();
 	const bool shows_face = (kUsualWall_m - tolerance_m) * slope > kFaceInView_m;
 	return shows_face && jamb.face < kFaceSeen ? 0.0 : tolerance_m * slope;
+}
+
+/** How much further out an edge that stands before the plane, as a casing does, is seen on the plane. */
+double behindRelief(const RayJudge& judge, const Jamb& jamb)
+{
+	return jamb.kind == JambKind::wall ? jamb.along_m * jamb.relief_m / judge.distance_m() : 0.0;
 }
 
 /** The ends of an opening at a stretch of the wall; no value where an end does not stand, or is too far away. */
@@ -67,8 +73,10 @@ std::optional<OpeningFrame> frameAt(const RayJudge& judge, const UprightWall& wa
 	if (!stands || frame.width_m() < config.verdict.min_report_m) return std::nullopt;
 	if (config.jambs.full_resolution)
 	{
-		frame.left.along_m -= hiddenBySurface(judge, frame.left, JambSide::left);
-		frame.right.along_m += hiddenBySurface(judge, frame.right, JambSide::right);
+		frame.left.along_m -= behindRelief(judge, frame.left);
+		frame.right.along_m -= behindRelief(judge, frame.right);
+		frame.left.along_m -= hiddenBySurface(judge, wall, frame.left, JambSide::left);
+		frame.right.along_m += hiddenBySurface(judge, wall, frame.right, JambSide::right);
 	}
 	const double range_m = std::max(wall.at(frame.left.along_m).norm(), wall.at(frame.right.along_m).norm());
 	if (range_m > config.verdict.max_range_m) return std::nullopt;
@@ -109,7 +117,7 @@ std::vector<Opening> measuredOpenings(const LevelView& view, const std::vector<U
 	{
 		const UprightWall& wall = walls[i];
 		const RayJudge judge(view, wall, free_depth_m, config.rays, noise);
-		const WallProfile profile = wallProfile(judge, view, wall, kProfileMargin_m, config.rays);
+		const WallProfile profile = wallProfile(judge, view, wall, config.measure.max_width_m, config.rays);
 		for (const Stretch& stretch :
 		     candidateStretches(profile, config.verdict.min_report_m - profile.strip_m, config.measure.max_width_m))
 		{

@@ -65,7 +65,11 @@ void OpeningRays::beside(int u, int v, const WallCrossing& crossing, RayMet met,
 
 void OpeningRays::inside(int u, int v, const WallCrossing& crossing, RayMet met, double from_left_m)
 {
-	m_tally.heights[static_cast<std::size_t>(crossing.height_m / kRayHeightBin_m)].add(met);
+	const float behind_m = -m_judge.rays().inFront_m(crossing, m_judge.depth(u, v));
+	const bool reveal = (met == RayMet::shallow || met == RayMet::wall) && isReveal(u, v, crossing, behind_m);
+	// The first centimetres of the far jamb's face count as wall, but are neither sill nor lintel.
+	if (!reveal || met != RayMet::wall)
+		m_tally.heights[static_cast<std::size_t>(crossing.height_m / kRayHeightBin_m)].add(met);
 	m_tally.lowest_m = std::min(m_tally.lowest_m, crossing.height_m);
 	m_tally.highest_m = std::max(m_tally.highest_m, crossing.height_m);
 	floorBeyond(u, v, crossing);
@@ -74,8 +78,7 @@ void OpeningRays::inside(int u, int v, const WallCrossing& crossing, RayMet met,
 	sight(u, v, crossing, from_left_m);
 	RayCounts& strip =
 	    m_tally.strips[std::min(m_tally.strips.size() - 1, static_cast<std::size_t>(from_left_m / kRayStrip_m))];
-	const float behind_m = -m_judge.rays().inFront_m(crossing, m_judge.depth(u, v));
-	if ((met == RayMet::shallow || met == RayMet::wall) && isReveal(u, v, crossing, behind_m))
+	if (reveal)
 	{
 		++m_tally.reveals;
 		m_tally.reveal_depths_m.push_back(behind_m);
