@@ -24,7 +24,7 @@ struct VerdictConfig
 	double max_floor_missing = 0.7;  ///< of the rays to near floor behind: more is a drop as well
 	double pillar_m = 0.5;           ///< a piece of wall that ends in view before this length may be a pillar
 	double partial_wall_m = 1.0;     ///< of wall beside an opening whose other jamb, and lintel, are out of view
-	double min_confidence = 0.5;     ///< P(the robot can pass) from which on an opening is passable
+	double min_confidence = 0.6;     ///< P(the robot can pass) from which on an opening is passable
 	// For comparison, the remedies of method.md one by one:
 	bool height_profile = true;  ///< sill and lintel count
 	bool leaf = true;            ///< what stands in the opening counts
