@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <ranges>
 
 namespace explore::evaluation
 {
@@ -89,7 +88,8 @@ std::vector<EqualCandidates> byConfidence(std::vector<Candidate> candidates)
 {
 	sortDown(candidates);
 	std::vector<EqualCandidates> groups;
-	for (const Candidate& candidate : std::views::reverse(candidates))
+	std::ranges::reverse(candidates);
+	for (const Candidate& candidate : candidates)
 	{
 		if (groups.empty() || groups.back().confidence != candidate.confidence)
 			groups.push_back({candidate.confidence, 0, 0});
