@@ -158,7 +158,9 @@ void describe(FieldVisitor& fields, VerdictConfig& config)
 	fields.real("partial_wall", config.partial_wall_m, {0.1, 10.0}, "m",
 	            "With a jamb and the lintel out of view, this much wall must be seen beside an opening to report it.");
 	fields.real("min_confidence", config.min_confidence, {0.0, 1.0}, "",
-	            "An opening is reported as passable from this probability on.");
+	            "An opening is reported as passable from this probability on, ...");
+	fields.real("unbuilt_confidence", config.unbuilt_confidence, {0.0, 1.0}, "",
+	            "... and between what may be pillars, people or furniture from this one on.");
 }
 
 std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const OpeningMeasure& measure,
@@ -167,9 +169,10 @@ std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const Open
 	if (isNoDoor(frame, measure, config)) return std::nullopt;
 	const double passable = passProbability(openingFeatures(frame, measure, context));
 	const auto vetoed = veto(measure, config);
-	if (!vetoed && passable >= config.min_confidence)
+	const bool built = isBuilt(frame, measure, context, config);
+	if (!vetoed && passable >= (built ? config.min_confidence : config.unbuilt_confidence))
 		return OpeningVerdict{passableVerdict(frame, measure, config), passable};
-	if (!isBuilt(frame, measure, context, config)) return std::nullopt;
+	if (!built) return std::nullopt;
 	if (vetoed) return OpeningVerdict{*vetoed, std::min(passable, kSurelyNot)};
 	const auto other = otherVerdict(frame, measure, context, config);
 	return other ? std::optional(OpeningVerdict{*other, passable}) : std::nullopt;

@@ -9,22 +9,23 @@ namespace explore
 {
 struct VerdictConfig
 {
-	double min_report_m = 0.45;      ///< narrower openings are nobody's door
-	double door_width_m = 1.6;       ///< wider ones are passages (th_g^max)
-	double width_margin_m = 0.10;    ///< the robot needs its diameter + this
-	double min_lintel_m = 1.4;       ///< a lower top is furniture
-	double max_sill = 0.7;           ///< share of wall below knee height: more is a window
-	double max_no_return = 0.35;     ///< of the rays, beyond what the wall beside loses: more is unknown
-	double max_speckle = 0.05;       ///< of holes amid near surfaces, beyond those in the wall beside: glass, where
-	double pane_no_return = 0.1;     ///< this share of the rays, beyond what the wall beside loses, is missing
-	double max_range_m = 5.1;        ///< of either jamb: further away a wall is not surely one
-	double min_through = 0.15;       ///< of the rays: less leads nowhere
-	double max_recess_m = 0.25;      ///< a leaf stands within this behind the wall's face
-	double min_floor = 0.88;         ///< of the rays that should meet floor behind: less is a drop
-	double max_floor_missing = 0.7;  ///< of the rays to near floor behind: more is a drop as well
-	double pillar_m = 0.5;           ///< a piece of wall that ends in view before this length may be a pillar
-	double partial_wall_m = 1.0;     ///< of wall beside an opening whose other jamb, and lintel, are out of view
-	double min_confidence = 0.6;     ///< P(the robot can pass) from which on an opening is passable
+	double min_report_m = 0.45;       ///< narrower openings are nobody's door
+	double door_width_m = 1.6;        ///< wider ones are passages (th_g^max)
+	double width_margin_m = 0.10;     ///< the robot needs its diameter + this
+	double min_lintel_m = 1.4;        ///< a lower top is furniture
+	double max_sill = 0.7;            ///< share of wall below knee height: more is a window
+	double max_no_return = 0.35;      ///< of the rays, beyond what the wall beside loses: more is unknown
+	double max_speckle = 0.05;        ///< of holes amid near surfaces, beyond those in the wall beside: glass, where
+	double pane_no_return = 0.1;      ///< this share of the rays, beyond what the wall beside loses, is missing
+	double max_range_m = 5.1;         ///< of either jamb: further away a wall is not surely one
+	double min_through = 0.15;        ///< of the rays: less leads nowhere
+	double max_recess_m = 0.25;       ///< a leaf stands within this behind the wall's face
+	double min_floor = 0.88;          ///< of the rays that should meet floor behind: less is a drop
+	double max_floor_missing = 0.7;   ///< of the rays to near floor behind: more is a drop as well
+	double pillar_m = 0.5;            ///< a piece of wall that ends in view before this length may be a pillar
+	double partial_wall_m = 1.0;      ///< of wall beside an opening whose other jamb, and lintel, are out of view
+	double min_confidence = 0.6;      ///< P(the robot can pass) from which on an opening is passable
+	double unbuilt_confidence = 0.7;  ///< the same, where what stands beside it need not be part of the building
 	// For comparison, the remedies of method.md one by one:
 	bool height_profile = true;  ///< sill and lintel count
 	bool leaf = true;            ///< what stands in the opening counts
