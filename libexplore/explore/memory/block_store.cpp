@@ -7,8 +7,9 @@
 
 namespace explore
 {
-BlockStore::BlockStore(std::unique_ptr<octomap::OcTree> tree, int reach_blocks)
+BlockStore::BlockStore(std::unique_ptr<octomap::OcTree> tree, float lowest, int reach_blocks)
     : m_tree(std::move(tree)),
+      m_lowest(lowest),
       m_edge(2 * reach_blocks + 1),
       m_places(static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge))
 {
@@ -52,6 +53,8 @@ VoxelBlock& BlockStore::fetch(const GridKey& block)
 		place = &spareBlock();
 		place->key = block;
 		place->log_odds = readBlock(*m_tree, block);
+		for (int i = 0; i < kBlockVoxels; ++i)
+			if (place->log_odds[static_cast<std::size_t>(i)] <= m_lowest) place->settled.set(i);
 	}
 	return *place;
 }

@@ -14,7 +14,8 @@ namespace explore
 class BlockStore
 {
 public:
-	BlockStore(std::unique_ptr<octomap::OcTree> tree, int reach_blocks);
+	/** Voxels of `lowest` log-odds count as settled. */
+	BlockStore(std::unique_ptr<octomap::OcTree> tree, float lowest, int reach_blocks);
 
 	/** Puts the window around `center`; blocks that fall out of it are written to the tree and forgotten. */
 	void moveTo(const GridKey& center);
@@ -56,6 +57,7 @@ private:
 	VoxelBlock& spareBlock();
 
 	std::unique_ptr<octomap::OcTree> m_tree;
+	float m_lowest;
 	int m_edge;
 	GridKey m_first = GridKey::Zero();
 	std::vector<VoxelBlock*> m_places;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace explore
 {
@@ -27,7 +28,7 @@ void setOptics(FrameRays& rays, const CameraIntrinsics& camera)
 {
 	rays.width_px = camera.width_px;
 	rays.height_px = camera.height_px;
-	rays.left.resize(static_cast<std::size_t>(camera.width_px));
+	rays.left.assign(static_cast<std::size_t>(camera.width_px + FrameRays::kLanes), std::numeric_limits<float>::quiet_NaN());
 	rays.up.resize(static_cast<std::size_t>(camera.height_px));
 	for (int u = 0; u < camera.width_px; ++u)
 		rays.left[static_cast<std::size_t>(u)] = static_cast<float>(rayOfPixel(camera, u, camera.cy_px).y());
@@ -40,8 +41,8 @@ void setOptics(FrameRays& rays, const CameraIntrinsics& camera)
 
 void setReach(FrameRays& rays, const DepthImage& image, float range_m)
 {
-	rays.reach_m.resize(image.depth_m.size());
-	const std::size_t width = rays.left.size();
+	rays.reach_m.assign(image.depth_m.size() + FrameRays::kLanes, 0.0F);
+	const auto width = static_cast<std::size_t>(rays.width_px);
 	for (std::size_t v = 0; v < rays.up.size(); ++v)
 	{
 		const float* depth_m = image.depth_m.data() + v * width;

@@ -14,20 +14,26 @@ namespace explore
  *  origin + x · voxels_from_camera · (1, left[u], up[v]). */
 struct FrameRays
 {
+	static constexpr int kLanes = 8;
+
 	int width_px = 0, height_px = 0;
 	GridKey origin_key = GridKey::Zero();              ///< the voxel that the camera is in
 	Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< where in it, 0–1
 	Eigen::Matrix3f voxels_from_camera = Eigen::Matrix3f::Identity();  ///< directions; lengths from metres to voxels
 	Eigen::Matrix3f camera_from_voxels = Eigen::Matrix3f::Identity();
-	std::vector<float> left, up;  ///< y and z of the rays' directions by column and row, for an x of 1
-	std::vector<float> reach_m;   ///< depth up to which each pixel's ray saw, row-major; 0 = no return
+	/** y and z of the rays' directions by column and row, for an x of 1. After the last column come kLanes of NaN, so that
+	 *  loops may run over it. */
+	std::vector<float> left, up;
+	/** Depth up to which each pixel's ray saw, row-major; 0 = no return, and kLanes more of them at the end. */
+	std::vector<float> reach_m;
 	/** Pixel of a direction (1, y, z): axis_px + px_per_tangent · (y, z). */
 	Eigen::Array2f axis_px = Eigen::Array2f::Zero(), px_per_tangent = Eigen::Array2f::Zero();
 
-	[[nodiscard]] float reach(int u, int v) const
+	[[nodiscard]] const float* rowOfReach(int v) const
 	{
-		return reach_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(u)];
+		return reach_m.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width_px);
 	}
+	[[nodiscard]] float reach(int u, int v) const { return rowOfReach(v)[u]; }
 	[[nodiscard]] Eigen::Vector3f direction(int u, int v) const
 	{
 		return voxels_from_camera *

@@ -46,7 +46,7 @@ octomap::OcTreeKey treeKey(const GridKey& voxel)
 Occupancy::Occupancy(const OccupancyConfig& config) : Occupancy(config, emptyMap(config)) {}
 
 Occupancy::Occupancy(const OccupancyConfig& config, std::unique_ptr<octomap::OcTree> map)
-    : m_config(config), m_sensor(config), m_store(checkedMap(std::move(map), config), windowReach(config))
+    : m_config(config), m_sensor(config), m_store(checkedMap(std::move(map), config), m_sensor.lowest, windowReach(config))
 {
 }
 
@@ -65,7 +65,6 @@ void Occupancy::insert(const DepthFrame& frame)
 
 void Occupancy::apply(VoxelBlock& block)
 {
-	const std::size_t changes_before = m_changes.size();
 	const auto update = [&](int place, float step)
 	{
 		const float before = block.log_odds[static_cast<std::size_t>(place)];
@@ -77,7 +76,6 @@ void Occupancy::apply(VoxelBlock& block)
 	block.hits = {};
 	block.passes = {};
 	block.in_frame = false;
-	if (m_changes.size() != changes_before) m_store.write(block);
 }
 
 void Occupancy::setLogOdds(VoxelBlock& block, int place, float log_odds)
@@ -85,6 +83,10 @@ void Occupancy::setLogOdds(VoxelBlock& block, int place, float log_odds)
 	const float before = std::exchange(block.log_odds[static_cast<std::size_t>(place)], log_odds);
 	if (before == log_odds) return;
 	block.written = false;
+	if (log_odds <= m_sensor.lowest)
+		block.settled.set(place);
+	else
+		block.settled.clear(place);
 	const VoxelState was = explore::stateOf(before), is = explore::stateOf(log_odds);
 	if (was != is) m_changes.push_back({treeKey(block.voxelAt(place)), was, is});
 }

@@ -1,16 +1,15 @@
+#include <explore/core/vector_code.h>
 #include <explore/memory/ray_ends.h>
+
+#include <array>
+#include <utility>
+#include <vector>
 
 namespace explore
 {
 namespace
 {
-/** For each pixel of a row: the place of its end's block in the window, and the voxel's in the block. */
-struct RowEnds
-{
-	std::vector<int> block, voxel;
-
-	explicit RowEnds(std::size_t width) : block(width), voxel(width) {}
-};
+constexpr int kNoEnd = -1;
 
 /** Rounds down; what truncation gets wrong below zero is mended, which vectorises, unlike std::floor. */
 int floorOf(float value)
@@ -19,22 +18,49 @@ int floorOf(float value)
 	return truncated - static_cast<int>(value < static_cast<float>(truncated));
 }
 
-void findRowEnds(const FrameRays& rays, std::size_t v, const BlockStore& store, RowEnds& ends)
+/** A row of rays in voxels from the window's corner: from + depth · (start + left · slope). */
+struct Row
 {
-	const Eigen::Vector3f along = rays.voxels_from_camera * Eigen::Vector3f(1.0F, 0.0F, rays.up[v]);
-	const Eigen::Vector3f across = rays.voxels_from_camera.col(1);
-	const GridKey from = rays.origin_key - store.first() * kBlockEdge;  // so that all numbers are small and positive
-	const int edge = store.edge();
-	const float* reach_m = rays.reach_m.data() + v * rays.left.size();
-	for (std::size_t u = 0; u < rays.left.size(); ++u)
+	std::array<float, 3> start, slope, origin;
+	std::array<int, 3> from;  ///< added after rounding, to keep the digits
+	const float *left, *reach_m, *depth_m;
+	int width;
+};
+
+/** For each pixel of a row: the voxel of its end, as the place of the block in the window and that in the block in one
+ *  number; kNoEnd without return or beyond the range. */
+[[gnu::always_inline]] inline void findEnds(const Row& by_reference, int edge, int* __restrict ends)
+{
+	const Row row = by_reference;  // a copy: what it holds cannot change while `ends` is written
+	for (int u = 0; u < row.width; ++u)
 	{
-		const float depth_m = reach_m[u], left = rays.left[u];
-		const int x = from.x() + floorOf(rays.origin.x() + depth_m * (along.x() + left * across.x()));
-		const int y = from.y() + floorOf(rays.origin.y() + depth_m * (along.y() + left * across.y()));
-		const int z = from.z() + floorOf(rays.origin.z() + depth_m * (along.z() + left * across.z()));
-		ends.block[u] = ((x >> kBlockBits) * edge + (y >> kBlockBits)) * edge + (z >> kBlockBits);
-		ends.voxel[u] = placeInBlock(x, y, z);
+		const float depth_m = row.reach_m[u], left = row.left[u];
+		const int x = row.from[0] + floorOf(row.origin[0] + depth_m * (row.start[0] + left * row.slope[0]));
+		const int y = row.from[1] + floorOf(row.origin[1] + depth_m * (row.start[1] + left * row.slope[1]));
+		const int z = row.from[2] + floorOf(row.origin[2] + depth_m * (row.start[2] + left * row.slope[2]));
+		const int block = ((x >> kBlockBits) * edge + (y >> kBlockBits)) * edge + (z >> kBlockBits);
+		const int ends_here = static_cast<int>(row.depth_m[u] > 0.0F) & static_cast<int>(row.depth_m[u] <= depth_m);
+		ends[u] = (block * kBlockVoxels + placeInBlock(x, y, z)) | (ends_here - 1);  // kNoEnd has all bits set
 	}
+}
+EXPLORE_VECTOR_CODE(findEndsOnThisProcessor, findEnds, (const Row& row, int edge, int* ends), (row, edge, ends))
+
+Row rowOf(const FrameRays& rays, const DepthImage& image, int v, const BlockStore& store)
+{
+	Row row{};
+	row.left = rays.left.data();
+	row.reach_m = rays.rowOfReach(v);
+	row.depth_m = image.depth_m.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(rays.width_px);
+	row.width = rays.width_px;
+	for (std::size_t i = 0; i < 3; ++i)
+	{
+		const auto axis = static_cast<Eigen::Index>(i);
+		row.start[i] = rays.voxels_from_camera(axis, 0) + rays.voxels_from_camera(axis, 2) * rays.up[static_cast<std::size_t>(v)];
+		row.slope[i] = rays.voxels_from_camera(axis, 1);
+		row.origin[i] = rays.origin[axis];
+		row.from[i] = rays.origin_key[axis] - store.first()[axis] * kBlockEdge;
+	}
+	return row;
 }
 
 GridKey keyOfPlace(const BlockStore& store, int place)
@@ -42,30 +68,30 @@ GridKey keyOfPlace(const BlockStore& store, int place)
 	const int edge = store.edge();
 	return store.first() + GridKey(place / (edge * edge), place / edge % edge, place % edge);
 }
+/** The block at that place, as one that is in this frame. */
+VoxelBlock& enterBlock(int place, BlockStore& store, std::vector<VoxelBlock*>& in_frame)
+{
+	VoxelBlock* block = store.at(place);
+	if (block == nullptr) block = &store.fetch(keyOfPlace(store, place));
+	if (!std::exchange(block->in_frame, true)) in_frame.push_back(block);
+	return *block;
+}
 }  // namespace
 
 void markRayEnds(const FrameRays& rays, const DepthImage& image, BlockStore& store, std::vector<VoxelBlock*>& in_frame)
 {
-	const std::size_t width = rays.left.size();
-	RowEnds ends(width);
-	VoxelBlock* block = nullptr;
-	int place = -1;
-	for (std::size_t v = 0; v < rays.up.size(); ++v)
+	std::vector<int> ends(static_cast<std::size_t>(rays.width_px));
+	for (int v = 0; v < rays.height_px; ++v)
 	{
-		findRowEnds(rays, v, store, ends);
-		const float* depth_m = image.depth_m.data() + v * width;
-		const float* reach_m = rays.reach_m.data() + v * width;
-		for (std::size_t u = 0; u < width; ++u)
+		findEndsOnThisProcessor(rowOf(rays, image, v, store), store.edge(), ends.data());
+		// Neighbours often end in one voxel, but noise makes it too hard to guess when to be worth a test.
+		for (const int end : ends)
 		{
-			if (depth_m[u] <= 0.0F || reach_m[u] < depth_m[u]) continue;  // no return, or beyond the range
-			if (ends.block[u] != place)
-			{
-				place = ends.block[u];
-				block = store.at(place);
-				if (block == nullptr) block = &store.fetch(keyOfPlace(store, place));
-				if (!std::exchange(block->in_frame, true)) in_frame.push_back(block);
-			}
-			block->hits.set(ends.voxel[u]);
+			if (end == kNoEnd) continue;
+			const int place = end >> (3 * kBlockBits);
+			VoxelBlock* block = store.at(place);
+			if (block == nullptr || !block->in_frame) block = &enterBlock(place, store, in_frame);
+			block->hits.set(end & (kBlockVoxels - 1));
 		}
 	}
 }

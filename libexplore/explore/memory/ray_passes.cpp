@@ -1,9 +1,11 @@
+#include <explore/memory/cube_view.h>
 #include <explore/memory/ray_passes.h>
+#include <explore/memory/voxel_crossing.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -11,45 +13,24 @@ namespace explore
 {
 namespace
 {
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr float kParallel = 1e-12F;
-constexpr float kInFront_m = 1e-6F;  // where a cube reaches behind the camera, its view begins here
+constexpr int kOctet = 8;             // a cube of 2³ voxels, looked at together
+constexpr int kOctantEdge = kBlockEdge / 2;
+constexpr float kHoldsPixel_px = 0.75F;  // a circle of this radius holds the pixel nearest to its centre
+constexpr float kOutside_px = 1 << 14;
+using Octet = Eigen::Array<float, kOctet, 1>;
 
-/** What a cube of voxels looks like from the camera. */
-struct CubeView
+/** The bounds keep the conversion defined. */
+int nearestPixel(float pixel)
 {
-	Eigen::Vector3f center, half;  ///< camera axes [m]; the box that holds the cube
-	[[nodiscard]] float nearest_m() const { return center.x() - half.x(); }
-	[[nodiscard]] float farthest_m() const { return center.x() + half.x(); }
+	return static_cast<int>(std::clamp(pixel, -kOutside_px, kOutside_px) + (kOutside_px + 0.5F)) -
+	       static_cast<int>(kOutside_px);
+}
+
+/** What the pixels of their centres say of an octet's voxels, a bit a voxel. */
+struct OctetGuess
+{
+	unsigned passed = 0, hidden = 0;
 };
-
-/** Half the extent in camera axes of a cube with that edge in voxels. */
-Eigen::Vector3f halfExtent(const FrameRays& rays, float edge_voxels)
-{
-	return rays.camera_from_voxels.cwiseAbs().rowwise().sum() * (0.5F * edge_voxels);
-}
-
-/** The pixels whose rays may cross the cube. */
-PixelRect rectOf(const FrameRays& rays, const CubeView& cube)
-{
-	const float nearest_m = std::max(cube.nearest_m(), kInFront_m);
-	const auto tangent = [&](int axis, float side)
-	{
-		const float across = cube.center[axis] + side * cube.half[axis];
-		return across / (across * side > 0.0F ? nearest_m : cube.farthest_m());
-	};
-	const auto limits = [&](int axis)
-	{
-		const float a = rays.axis_px[axis - 1] + rays.px_per_tangent[axis - 1] * tangent(axis, 1.0F);
-		const float b = rays.axis_px[axis - 1] + rays.px_per_tangent[axis - 1] * tangent(axis, -1.0F);
-		// A pixel of slack for rounding; the bounds keep the conversion defined.
-		const auto pixel = [](float value) { return static_cast<int>(std::clamp(value, -1e6F, 1e6F)); };
-		return std::pair(pixel(std::min(a, b)) - 1, pixel(std::max(a, b)) + 1);
-	};
-	const auto [u0, u1] = limits(1);
-	const auto [v0, v1] = limits(2);
-	return {u0, v0, u1, v1};
-}
 
 /** Decides about the voxels of one frame. */
 class PassFinder
@@ -59,125 +40,178 @@ public:
 	    : m_rays(rays),
 	      m_pyramid(pyramid),
 	      m_voxel_half(halfExtent(rays, 1.0F)),
+	      m_octant_half(halfExtent(rays, kOctantEdge)),
 	      m_block_half(halfExtent(rays, kBlockEdge)),
-	      // A pixel's ray misses its own place by up to 0.71 pixels and must still cross the voxel's inscribed sphere.
-	      m_sure_depth_m(0.5F * rays.camera_from_voxels.col(0).norm() * rays.px_per_tangent.abs().minCoeff() / 0.75F)
+	      m_octet_middle(rays.camera_from_voxels * Eigen::Vector3f::Constant(0.5F)),
+	      m_inscribed_px(0.5F * rays.camera_from_voxels.col(0).norm() * rays.px_per_tangent.abs().minCoeff())
 	{
+		for (int i = 0; i < kOctet; ++i)
+		{
+			const auto [x, y, z] = coordinatesOfPlace(i);
+			const Eigen::Vector3f offset = rays.camera_from_voxels * Eigen::Vector3f(x, y, z);
+			for (std::size_t axis = 0; axis < 3; ++axis) m_octet_offset[axis][i] = offset[static_cast<Eigen::Index>(axis)];
+		}
+		for (int octet = 0; octet < kBlockVoxels / kOctet; ++octet)
+		{
+			const auto [x, y, z] = coordinatesOfPlace(octet * kOctet);
+			m_octet_start[static_cast<std::size_t>(octet)] = rays.camera_from_voxels * Eigen::Vector3f(x, y, z);
+		}
 	}
 
-	/** Whether rays may pass through any voxel of the block. */
-	[[nodiscard]] bool mayPass(const GridKey& block) const
+	/** Whether rays may pass through the cube. */
+	[[nodiscard]] bool mayPass(const CubeView& cube) const
 	{
-		const CubeView view = viewOf(block);
-		return view.farthest_m() > 0.0F && m_pyramid.farthestIn(rectOf(m_rays, view)) > view.nearest_m();
+		return cube.farthest_m() > 0.0F && m_pyramid.farthestIn(rectOf(m_rays, cube)) > cube.nearest_m();
 	}
-
-	/** The voxels of the block, but for those in `hits`, that rays pass through. */
-	[[nodiscard]] VoxelBits passesOf(const GridKey& block, const VoxelBits& hits) const
-	{
-		VoxelBits passes;
-		const CubeView view = viewOf(block);
-		const auto around = m_pyramid.around(widestVoxel_px(view));
-		const Eigen::Vector3f first = m_rays.inCamera(block * kBlockEdge, Eigen::Vector3f::Constant(0.5F));
-		for (int z = 0; z < kBlockEdge; ++z)
-			for (int y = 0; y < kBlockEdge; ++y)
-			{
-				const Eigen::Vector3f row_start = first + m_rays.camera_from_voxels.rightCols<2>() * Eigen::Vector2f(y, z);
-				for (int x = 0; x < kBlockEdge; ++x)
-				{
-					const int place = placeInBlock(x, y, z);
-					if (hits.test(place)) continue;
-					const Eigen::Vector3f center = row_start + static_cast<float>(x) * m_rays.camera_from_voxels.col(0);
-					if (passes_(block * kBlockEdge + GridKey(x, y, z), center, around)) passes.set(place);
-				}
-			}
-		return passes;
-	}
-
-private:
 	[[nodiscard]] CubeView viewOf(const GridKey& block) const
 	{
 		return {m_rays.inCamera(block * kBlockEdge, Eigen::Vector3f::Constant(0.5F * kBlockEdge)), m_block_half};
 	}
 
-	/** How far from its centre's pixel any voxel of a block may be seen. */
-	[[nodiscard]] float widestVoxel_px(const CubeView& block) const
+	/** The voxels of the block that rays pass through, but for those to `skip`. */
+	[[nodiscard]] VoxelBits passesOf(const GridKey& block, const VoxelBits& skip) const
 	{
-		const float nearest_m = block.nearest_m();
-		if (nearest_m < kInFront_m) return kInfinite;
-		const float tangent = (block.center.tail<2>().cwiseAbs() + block.half.tail<2>()).maxCoeff() / nearest_m;
-		return m_rays.px_per_tangent.abs().maxCoeff() * (m_voxel_half.tail<2>().maxCoeff() + tangent * m_voxel_half.x()) /
-		           nearest_m + 2.0F;
-	}
-
-	[[nodiscard]] bool passes_(const GridKey& voxel, const Eigen::Vector3f& center, const ReachPyramid::Around& around) const
-	{
-		const float depth_m = center.x();
-		if (depth_m + m_voxel_half.x() <= 0.0F) return false;
-		const float nearest_m = depth_m - m_voxel_half.x();
-		if (nearest_m >= kInFront_m)
+		VoxelBits passes;
+		for (int octant = 0; octant < 8; ++octant)
 		{
-			const Eigen::Array2f pixel = m_rays.axis_px + m_rays.px_per_tangent * center.tail<2>().array() / depth_m;
-			const int u = static_cast<int>(std::clamp(pixel.x() + 0.5F, -1e6F, 1e6F) );
-			const int v = static_cast<int>(std::clamp(pixel.y() + 0.5F, -1e6F, 1e6F) );
-			const bool inside = pixel.x() > -0.5F && pixel.y() > -0.5F && u < m_rays.width_px && v < m_rays.height_px;
-			if (inside && depth_m < m_sure_depth_m && m_rays.reach(u, v) > depth_m + m_voxel_half.x()) return true;
-			if (around(u, v) <= nearest_m) return false;
+			if (skip.words[static_cast<std::size_t>(octant)] == ~std::uint64_t{0}) continue;
+			const auto [x, y, z] = coordinatesOfPlace(octant * 64);
+			const GridKey first = block * kBlockEdge + GridKey(x, y, z);
+			const CubeView view{m_rays.inCamera(first, Eigen::Vector3f::Constant(0.5F * kOctantEdge)), m_octant_half};
+			if (mayPass(view)) findInOctant(octant, block, view, skip, passes);
 		}
-		return anyRayPasses(voxel, {center, m_voxel_half});
+		return passes;
 	}
 
-	[[nodiscard]] bool anyRayPasses(const GridKey& voxel, const CubeView& view) const
+private:
+	void findInOctant(int octant, const GridKey& block, const CubeView& view, const VoxelBits& skip, VoxelBits& passes) const
 	{
-		PixelRect rect = rectOf(m_rays, view);
-		rect = {std::max(rect.u0, 0), std::max(rect.v0, 0), std::min(rect.u1, m_rays.width_px - 1),
-		        std::min(rect.v1, m_rays.height_px - 1)};
-		if (m_pyramid.farthestIn(rect) <= view.nearest_m()) return false;
-		const Eigen::Array3f low = (voxel - m_rays.origin_key).cast<float>() - m_rays.origin.array();
-		const float nearest_m = std::max(view.nearest_m(), 0.0F);
-		for (int v = rect.v0; v <= rect.v1; ++v)
-			for (int u = rect.u0; u <= rect.u1; ++u)
-				if (const float reach_m = m_rays.reach(u, v); reach_m > nearest_m)
-					if (crosses(low, m_rays.direction(u, v), reach_m)) return true;
-		return false;
+		const ReachPyramid::Around around = m_pyramid.around(widest_px(view, m_voxel_half));
+		const ReachPyramid::Around around_octet = m_pyramid.around(widest_px(view, 2.0F * m_voxel_half));
+		const Eigen::Vector3f first_center = m_rays.inCamera(block * kBlockEdge, Eigen::Vector3f::Constant(0.5F));
+		for (int octet = 8 * octant; octet < 8 * (octant + 1); ++octet)
+		{
+			const unsigned wanted = 0xFFU & ~static_cast<unsigned>(skip.octet(octet));
+			if (wanted == 0U) continue;
+			const Eigen::Vector3f at = first_center + m_octet_start[static_cast<std::size_t>(octet)];
+			if (isHidden(at + m_octet_middle, around_octet)) continue;
+			const auto [x, y, z] = coordinatesOfPlace(octet * kOctet);
+			passes.setOctet(octet, passesOfOctet(block * kBlockEdge + GridKey(x, y, z), at, wanted, around));
+		}
 	}
 
-	/** Whether the ray enters the voxel and leaves it before its end. */
-	static bool crosses(const Eigen::Array3f& low, const Eigen::Vector3f& direction, float reach_m)
+	/** Whether everything around ends in front of an octet with its middle there. */
+	[[nodiscard]] bool isHidden(const Eigen::Vector3f& middle, const ReachPyramid::Around& around) const
 	{
-		// A ray along a face belongs to the voxel above, as its points do; 0 · ∞ would be undefined.
-		const Eigen::Array3f inverse = (direction.array().abs() < kParallel).select(kParallel, direction.array()).inverse();
-		const Eigen::Array3f a = low * inverse, b = (low + 1.0F) * inverse;
-		const float enters_m = std::max(a.min(b).maxCoeff(), 0.0F), leaves_m = a.max(b).minCoeff();
-		return enters_m < leaves_m && leaves_m < reach_m;
+		const float nearest_m = middle.x() - 2.0F * m_voxel_half.x();
+		if (nearest_m <= 0.0F) return false;
+		const Eigen::Array2f pixel = m_rays.axis_px + m_rays.px_per_tangent * middle.tail<2>().array() / middle.x();
+		return around(nearestPixel(pixel.x()), nearestPixel(pixel.y())).farthest_m <= nearest_m;
+	}
+
+	/** Of the voxels in `wanted`, those that are passed; `at` is the centre of the first. */
+	[[nodiscard]] std::uint8_t passesOfOctet(const GridKey& first, const Eigen::Vector3f& at, unsigned wanted,
+	                                         const ReachPyramid::Around& around) const
+	{
+		const OctetGuess guess = guessOctet(at, around);
+		unsigned passed = guess.passed & wanted;
+		for (unsigned open = wanted & ~guess.passed & ~guess.hidden; open != 0U; open &= open - 1U)
+		{
+			const int i = std::countr_zero(open);
+			const auto [x, y, z] = coordinatesOfPlace(i);
+			if (anyRayPasses(first + GridKey(x, y, z))) passed |= 1U << i;
+		}
+		return static_cast<std::uint8_t>(passed);
+	}
+
+	/** Looks each voxel's centre up in the image. Without branches: which voxels are passed is too hard to guess. */
+	[[nodiscard]] OctetGuess guessOctet(const Eigen::Vector3f& at, const ReachPyramid::Around& around) const
+	{
+		const Octet depth_m = m_octet_offset[0] + at.x(), inverse = depth_m.inverse();
+		const Octet u_px = m_rays.axis_px[0] + m_rays.px_per_tangent[0] * (m_octet_offset[1] + at.y()) * inverse;
+		const Octet v_px = m_rays.axis_px[1] + m_rays.px_per_tangent[1] * (m_octet_offset[2] + at.z()) * inverse;
+		std::array<int, kOctet> u{}, v{};
+		for (std::size_t i = 0; i < kOctet; ++i)
+		{
+			u[i] = nearestPixel(u_px[static_cast<Eigen::Index>(i)]);
+			v[i] = nearestPixel(v_px[static_cast<Eigen::Index>(i)]);
+		}
+		const float half_m = m_voxel_half.x();
+		OctetGuess guess;
+		for (std::size_t i = 0; i < kOctet; ++i)
+		{
+			const ReachPyramid::Around::Sight sight = around(u[i], v[i]);
+			const float depth = depth_m[static_cast<Eigen::Index>(i)];
+			const bool in_front = depth > half_m, sure = (depth + half_m) * kHoldsPixel_px < m_inscribed_px;
+			const bool passed = (sight.reach_m > depth + half_m) & sight.in_image & in_front & sure;
+			const bool hidden = (in_front & (sight.farthest_m <= depth - half_m)) | (depth + half_m <= 0.0F);
+			guess.passed |= static_cast<unsigned>(passed) << i;
+			guess.hidden |= static_cast<unsigned>(hidden) << i;
+		}
+		return guess;
+	}
+
+	[[nodiscard]] bool anyRayPasses(const GridKey& voxel) const
+	{
+		const CubeView view{m_rays.inCamera(voxel, Eigen::Vector3f::Constant(0.5F)), m_voxel_half};
+		return anyRayCrosses(m_rays, voxel, m_pyramid.inImage(rectOf(m_rays, view)), view.nearest_m());
+	}
+
+	/** How far from its centre's pixel a part of a cube, in a box with that half extent, may be seen. */
+	[[nodiscard]] float widest_px(const CubeView& cube, const Eigen::Vector3f& part_half) const
+	{
+		const float nearest_m = cube.nearest_m();
+		if (nearest_m <= 0.0F) return std::numeric_limits<float>::infinity();
+		const float tangent = (cube.center.tail<2>().cwiseAbs() + cube.half.tail<2>()).maxCoeff() / nearest_m;
+		const float extent_m = part_half.tail<2>().maxCoeff() + tangent * part_half.x();
+		return m_rays.px_per_tangent.abs().maxCoeff() * extent_m / nearest_m + 0.6F;  // and the rounding of its own pixel
 	}
 
 	const FrameRays& m_rays;
 	const ReachPyramid& m_pyramid;
-	Eigen::Vector3f m_voxel_half, m_block_half;
-	float m_sure_depth_m;
+	Eigen::Vector3f m_voxel_half, m_octant_half, m_block_half;
+	// Offsets in camera axes [m]:
+	std::array<Octet, 3> m_octet_offset{};  ///< of an octet's voxels from its first one, an array an axis
+	std::array<Eigen::Vector3f, kBlockVoxels / kOctet> m_octet_start{};  ///< of octets from a block's first one
+	Eigen::Vector3f m_octet_middle;  ///< of an octet's middle from its first voxel's
+	float m_inscribed_px;  ///< radius of the circle in the view of a voxel 1 m deep
 };
+
+/** The blocks that rays may reach. */
+struct BlockRange
+{
+	GridKey first, last;
+};
+
+BlockRange blocksInView(const FrameRays& rays, float range_m)
+{
+	// The rays' ends lie between the camera and the corners of its view, moved out to the range.
+	Eigen::AlignedBox3f box(rays.origin);
+	for (const float left : {rays.left[0], rays.left[static_cast<std::size_t>(rays.width_px) - 1]})
+		for (const float up : {rays.up.front(), rays.up.back()})
+			box.extend(rays.origin + range_m * (rays.voxels_from_camera * Eigen::Vector3f(1.0F, left, up)));
+	const auto block = [&](const Eigen::Vector3f& corner)
+	{ return blockOfVoxel(rays.origin_key + corner.array().floor().cast<int>()); };
+	return {block(box.min()), block(box.max())};
+}
 }  // namespace
 
 void markRayPasses(const FrameRays& rays, const ReachPyramid& pyramid, float range_m, BlockStore& store,
                    std::vector<VoxelBlock*>& in_frame)
 {
 	const PassFinder finder(rays, pyramid);
-	// The rays' ends lie between the camera and the corners of its view, moved out to the range.
-	Eigen::AlignedBox3f box(rays.origin);
-	for (const float left : {rays.left.front(), rays.left.back()})
-		for (const float up : {rays.up.front(), rays.up.back()})
-			box.extend(rays.origin + range_m * (rays.voxels_from_camera * Eigen::Vector3f(1.0F, left, up)));
-	const GridKey first = blockOfVoxel(rays.origin_key + box.min().array().floor().cast<int>()).max(store.first());
-	const GridKey last = blockOfVoxel(rays.origin_key + box.max().array().floor().cast<int>()).min(store.first() + store.edge() - 1);
-	for (int x = first.x(); x <= last.x(); ++x)
-		for (int y = first.y(); y <= last.y(); ++y)
-			for (int z = first.z(); z <= last.z(); ++z)
+	BlockRange range = blocksInView(rays, range_m);
+	range.first = range.first.max(store.first());
+	range.last = range.last.min(store.first() + store.edge() - 1);
+	for (int x = range.first.x(); x <= range.last.x(); ++x)
+		for (int y = range.first.y(); y <= range.last.y(); ++y)
+			for (int z = range.first.z(); z <= range.last.z(); ++z)
 			{
 				const GridKey key(x, y, z);
-				if (!finder.mayPass(key)) continue;
 				VoxelBlock* block = store.find(key);
-				const VoxelBits passes = finder.passesOf(key, block == nullptr ? VoxelBits{} : block->hits);
+				const VoxelBits skip = block == nullptr ? VoxelBits{} : block->hits | block->settled;
+				if (skip.all() || !finder.mayPass(finder.viewOf(key))) continue;
+				const VoxelBits passes = finder.passesOf(key, skip);
 				if (!passes.any()) continue;
 				if (block == nullptr) block = &store.fetch(key);
 				block->passes = passes;

@@ -1,23 +1,30 @@
 #include <explore/memory/reach_pyramid.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <utility>
 
 namespace explore
 {
 namespace
 {
-constexpr int kFirstShift = 2;  // finer cells are not worth their making
-constexpr int kMaxCells = 4;  // an axis, that one look into a rectangle takes
+constexpr int kFirstShift = 2;  // finer cells are not worth keeping
+constexpr int kMostCellsAround = 3;
+constexpr int kMaxCells = 4;    // an axis, that one look into a rectangle takes
+constexpr float kOutside_px = 1e6F;
 
 struct Grid
 {
-	const float* values;
 	int columns, rows;
+	const float* values;
 };
 
-/** The largest of each 2 × 2 values, or of what there is of them. */
+float farther(float a, float b)
+{
+	return a < b ? b : a;
+}
+
+/** The farthest of each 2 × 2 cells, or of what there is of them at the edges. */
 std::vector<float> halved(const Grid& fine)
 {
 	const int columns = (fine.columns + 1) / 2, rows = (fine.rows + 1) / 2;
@@ -28,40 +35,57 @@ std::vector<float> halved(const Grid& fine)
 		const float* b = 2 * row + 1 < fine.rows ? a + fine.columns : a;
 		float* out = coarse.data() + static_cast<std::ptrdiff_t>(row) * columns;
 		for (int i = 0; i < fine.columns / 2; ++i)
-			out[i] = std::max(std::max(a[2 * i], a[2 * i + 1]), std::max(b[2 * i], b[2 * i + 1]));
-		if (fine.columns % 2 != 0) out[columns - 1] = std::max(a[fine.columns - 1], b[fine.columns - 1]);
+			out[i] = farther(farther(a[2 * i], a[2 * i + 1]), farther(b[2 * i], b[2 * i + 1]));
+		if (fine.columns % 2 != 0) out[columns - 1] = farther(a[fine.columns - 1], b[fine.columns - 1]);
 	}
 	return coarse;
 }
 
+/** The farthest of each cell and its eight neighbours. */
 std::vector<float> widened(const Grid& grid)
 {
-	std::vector<float> wider(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
+	const auto count = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
+	std::vector<float> across(grid.values, grid.values + count);
 	for (int row = 0; row < grid.rows; ++row)
-		for (int column = 0; column < grid.columns; ++column)
-		{
-			float farthest = 0.0F;
-			for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
-				for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c)
-					farthest = std::max(farthest, grid.values[r * grid.columns + c]);
-			wider[static_cast<std::size_t>(row * grid.columns + column)] = farthest;
-		}
+	{
+		const float* in = grid.values + static_cast<std::ptrdiff_t>(row) * grid.columns;
+		float* out = across.data() + static_cast<std::ptrdiff_t>(row) * grid.columns;
+		for (int i = 1; i < grid.columns; ++i) out[i] = farther(in[i], in[i - 1]);
+		for (int i = 0; i + 1 < grid.columns; ++i) out[i] = farther(out[i], in[i + 1]);
+	}
+	std::vector<float> wider = across;
+	const auto columns = static_cast<std::size_t>(grid.columns);
+	for (std::size_t i = columns; i < count; ++i) wider[i] = farther(wider[i], across[i - columns]);
+	for (std::size_t i = 0; i + columns < count; ++i) wider[i] = farther(wider[i], across[i + columns]);
 	return wider;
 }
 }  // namespace
 
-ReachPyramid::ReachPyramid(const FrameRays& rays) : m_width_px(rays.width_px), m_height_px(rays.height_px)
+ReachPyramid::Level ReachPyramid::makeLevel(std::vector<float> farthest_m, int columns, int rows)
 {
-	Grid grid{rays.reach_m.data(), rays.width_px, rays.height_px};
-	std::vector<float> below_first;
-	for (int shift = 1; shift <= kFirstShift || grid.columns > 1 || grid.rows > 1; ++shift)
+	Level level{columns, rows, std::move(farthest_m), {}};
+	Grid grid{columns, rows, level.farthest_m.data()};
+	for (std::vector<float>& wider : level.wider_farthest_m)
 	{
-		std::vector<float> values = halved(grid);
-		grid = {values.data(), (grid.columns + 1) / 2, (grid.rows + 1) / 2};
+		wider = widened(grid);
+		grid.values = wider.data();
+	}
+	return level;
+}
+
+ReachPyramid::ReachPyramid(const FrameRays& rays)
+    : m_rays(&rays), m_width_px(rays.width_px), m_height_px(rays.height_px)
+{
+	Grid finer{rays.width_px, rays.height_px, rays.reach_m.data()};
+	std::vector<float> below_first;
+	for (int shift = 1; shift <= kFirstShift || finer.columns > 1 || finer.rows > 1; ++shift)
+	{
+		std::vector<float> farthest_m = halved(finer);
+		finer = {(finer.columns + 1) / 2, (finer.rows + 1) / 2, farthest_m.data()};  // moving a vector leaves its data there
 		if (shift < kFirstShift)
-			below_first = std::move(values);  // keeps its place, where `grid` looks
+			below_first = std::move(farthest_m);
 		else
-			m_levels.push_back({grid.columns, grid.rows, std::move(values), widened(grid)});
+			m_levels.push_back(makeLevel(std::move(farthest_m), finer.columns, finer.rows));
 	}
 }
 
@@ -75,41 +99,40 @@ int ReachPyramid::lastShift() const
 	return kFirstShift + static_cast<int>(m_levels.size()) - 1;
 }
 
-float ReachPyramid::farthestIn(const PixelRect& rect) const
+PixelRect ReachPyramid::inImage(const PixelRect& rect) const
 {
-	const int u0 = std::max(rect.u0, 0), u1 = std::min(rect.u1, m_width_px - 1);
-	const int v0 = std::max(rect.v0, 0), v1 = std::min(rect.v1, m_height_px - 1);
-	if (u0 > u1 || v0 > v1) return 0.0F;
-	int shift = kFirstShift;
-	const int size = std::max(u1 - u0, v1 - v0);
-	while ((size >> shift) >= kMaxCells && shift < lastShift()) ++shift;
-	const Level& cells_of = level(shift);
-	float farthest = 0.0F;
-	for (int row = v0 >> shift; row <= v1 >> shift; ++row)
-	{
-		const float* cells = cells_of.reach_m.data() + static_cast<std::ptrdiff_t>(row) * cells_of.columns;
-		for (int column = u0 >> shift; column <= u1 >> shift; ++column) farthest = std::max(farthest, cells[column]);
-	}
-	return farthest;
+	return {std::max(rect.u0, 0), std::max(rect.v0, 0), std::min(rect.u1, m_width_px - 1),
+	        std::min(rect.v1, m_height_px - 1)};
 }
 
-float ReachPyramid::Around::operator()(int u, int v) const
+float ReachPyramid::farthestIn(const PixelRect& rect) const
 {
-	// Moving a pixel into the image brings it nearer to every pixel of the image.
-	const int column = std::clamp(u, 0, m_max_u) >> m_shift, row = std::clamp(v, 0, m_max_v) >> m_shift;
-	return (*m_reach_m)[static_cast<std::size_t>(row * m_columns + column)];
+	const PixelRect part = inImage(rect);
+	if (part.u0 > part.u1 || part.v0 > part.v1) return 0.0F;
+	int shift = kFirstShift;
+	const int size = std::max(part.u1 - part.u0, part.v1 - part.v0);
+	while ((size >> shift) >= kMaxCells && shift < lastShift()) ++shift;
+	const Level& cells = level(shift);
+	float farthest_m = 0.0F;
+	for (int row = part.v0 >> shift; row <= part.v1 >> shift; ++row)
+		for (int column = part.u0 >> shift; column <= part.u1 >> shift; ++column)
+			farthest_m = farther(farthest_m, cells.farthest_m[static_cast<std::size_t>(row * cells.columns + column)]);
+	return farthest_m;
 }
 
 ReachPyramid::Around ReachPyramid::around(float radius_px) const
 {
 	int shift = kFirstShift;
-	while (static_cast<float>(1 << shift) < radius_px && shift < lastShift()) ++shift;
+	while (static_cast<float>(kMostCellsAround << shift) < radius_px && shift < lastShift()) ++shift;
+	const float cells = std::clamp(std::ceil(radius_px / static_cast<float>(1 << shift)), 1.0F, static_cast<float>(kMostCellsAround));
 	Around around;
-	around.m_reach_m = &level(shift).wider_reach_m;
+	around.m_reach_m = m_rays->reach_m.data();
+	around.m_farthest_m = level(shift).wider_farthest_m[static_cast<std::size_t>(cells) - 1].data();
 	around.m_shift = shift;
 	around.m_columns = level(shift).columns;
-	around.m_max_u = m_width_px - 1;
-	around.m_max_v = m_height_px - 1;
+	around.m_width_px = m_width_px;
+	around.m_height_px = m_height_px;
+	around.m_radius_px = static_cast<int>(std::min(radius_px, kOutside_px)) + 1;
 	return around;
 }
 }  // namespace explore

@@ -3,6 +3,9 @@
 
 #include <explore/memory/frame_rays.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <vector>
 
 namespace explore
@@ -16,24 +19,41 @@ struct PixelRect
 class ReachPyramid
 {
 public:
+	/** `rays` must outlive it. */
 	explicit ReachPyramid(const FrameRays& rays);
 
-	/** No less than the farthest reach [m] of any pixel of the image in the rectangle, and more only by the pixels
-	 *  around it; 0 when it is outside of the image. */
+	/** No pixel of the image in the rectangle reaches farther [m]; pixels around it may make it more. 0 outside of the
+	 *  image. */
 	[[nodiscard]] float farthestIn(const PixelRect& rect) const;
+	/** The part of the rectangle that is in the image; empty ones have u0 > u1 or v0 > v1. */
+	[[nodiscard]] PixelRect inImage(const PixelRect& rect) const;
 
-	/** Of all pixels within ±radius_px of a pixel and some farther ones: one look-up a pixel. */
+	/** What is seen at and around a pixel, by a look-up or two. */
 	class Around
 	{
 	public:
+		struct Sight
+		{
+			float farthest_m;  ///< no pixel around reaches farther; 0 where none of them is in the image
+			float reach_m;     ///< of the pixel itself, or of the image's nearest to it
+			bool in_image;
+		};
 		/** (u, v) need not be in the image. */
-		[[nodiscard]] float operator()(int u, int v) const;
+		[[nodiscard]] Sight operator()(int u, int v) const
+		{
+			// Moving a pixel into the image brings it nearer to every pixel of the image.
+			const int inner_u = std::clamp(u, 0, m_width_px - 1), inner_v = std::clamp(v, 0, m_height_px - 1);
+			const int moved_px = std::max(std::abs(u - inner_u), std::abs(v - inner_v));
+			const float farthest_m = m_farthest_m[(inner_v >> m_shift) * m_columns + (inner_u >> m_shift)];
+			return {moved_px > m_radius_px ? 0.0F : farthest_m, m_reach_m[inner_v * m_width_px + inner_u], moved_px == 0};
+		}
 
 	private:
 		friend ReachPyramid;
-		const std::vector<float>* m_reach_m = nullptr;
-		int m_shift = 0, m_columns = 0, m_max_u = 0, m_max_v = 0;
+		const float *m_reach_m = nullptr, *m_farthest_m = nullptr;
+		int m_shift = 0, m_columns = 0, m_width_px = 0, m_height_px = 0, m_radius_px = 0;
 	};
+	/** Around means: within ±radius_px, and some pixels farther. */
 	[[nodiscard]] Around around(float radius_px) const;
 
 private:
@@ -41,12 +61,15 @@ private:
 	struct Level
 	{
 		int columns = 0, rows = 0;
-		std::vector<float> reach_m;         ///< farthest in each cell
-		std::vector<float> wider_reach_m;  ///< farthest in it and its eight neighbours
+		std::vector<float> farthest_m;        ///< in each cell
+		/** In it and 1, 2 and 3 cells around it. */
+		std::array<std::vector<float>, 3> wider_farthest_m;
 	};
+	static Level makeLevel(std::vector<float> farthest_m, int columns, int rows);
 	[[nodiscard]] const Level& level(int shift) const;
 	[[nodiscard]] int lastShift() const;
 
+	const FrameRays* m_rays;
 	int m_width_px, m_height_px;
 	std::vector<Level> m_levels;  ///< by shift, up to a single cell
 };

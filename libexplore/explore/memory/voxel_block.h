@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -60,15 +61,28 @@ struct VoxelBits
 
 	void set(int place) { words[static_cast<std::size_t>(place) / 64] |= bit(place); }
 	[[nodiscard]] bool test(int place) const { return (words[static_cast<std::size_t>(place) / 64] & bit(place)) != 0; }
+	void clear(int place) { words[static_cast<std::size_t>(place) / 64] &= ~bit(place); }
+	/** The bits of places 8 · octet … 8 · octet + 7: a cube of 2³ voxels. */
+	[[nodiscard]] std::uint8_t octet(int octet) const
+	{
+		return static_cast<std::uint8_t>(words[static_cast<std::size_t>(octet) / 8] >> (8 * (octet % 8)));
+	}
+	void setOctet(int octet, std::uint8_t bits)
+	{
+		words[static_cast<std::size_t>(octet) / 8] |= std::uint64_t{bits} << (8 * (octet % 8));
+	}
+	[[nodiscard]] bool all() const
+	{
+		return std::ranges::all_of(words, [](std::uint64_t word) { return word == ~std::uint64_t{0}; });
+	}
 	[[nodiscard]] bool any() const
 	{
-		std::uint64_t all = 0;
-		for (const std::uint64_t word : words) all |= word;
-		return all != 0;
+		return std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; });
 	}
-	void remove(const VoxelBits& others)
+	friend VoxelBits operator|(VoxelBits a, const VoxelBits& b)
 	{
-		for (std::size_t i = 0; i < words.size(); ++i) words[i] &= ~others.words[i];
+		for (std::size_t i = 0; i < a.words.size(); ++i) a.words[i] |= b.words[i];
+		return a;
 	}
 	/** Calls visit(place) for each set bit, in order. */
 	template <class Visit>
@@ -92,6 +106,7 @@ struct VoxelBlock
 	/** The camera's station (second_look.h) at each voxel's last hit. */
 	std::array<std::uint16_t, kBlockVoxels> hit_station{};
 	std::uint16_t last_station = 0;  ///< the latest of them
+	VoxelBits settled;               ///< those that cannot get any freer
 	VoxelBits hits, passes;          ///< of the frame that is being inserted
 	bool in_frame = false;           ///< there are any
 	bool written = true;             ///< the tree has these log-odds
