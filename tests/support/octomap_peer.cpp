@@ -28,8 +28,7 @@ void forEachVoxel(const octomap::OcTree& tree, const Visit& visit)
 
 octomap::point3d cameraInMap(const DepthFrame& frame)
 {
-	const Eigen::Vector3f at =
-	    isometryOf(frame.map_from_robot + frame.robot_from_camera).translation().cast<float>();
+	const Eigen::Vector3f at = isometryOf(frame.map_from_robot + frame.robot_from_camera).translation().cast<float>();
 	return {at.x(), at.y(), at.z()};
 }
 

@@ -28,7 +28,10 @@ struct MapAgreement
 	[[nodiscard]] double wronglyFreedShare() const { return share(wrongly_freed, reference_occupied); }
 
 private:
-	static double share(std::size_t part, std::size_t all) { return static_cast<double>(part) / static_cast<double>(all); }
+	static double share(std::size_t part, std::size_t all)
+	{
+		return static_cast<double>(part) / static_cast<double>(all);
+	}
 };
 MapAgreement agreement(const octomap::OcTree& map, const octomap::OcTree& reference);
 }  // namespace explore::test

@@ -41,8 +41,9 @@ std::vector<DepthFrame> worldFrames(const WorldDrive& drive)
 
 std::vector<WorldDrive> ourDrives(int frames, int width_px)
 {
-	return {{.world = "corridor", .route = "main", .frames = frames, .width_px = width_px},
-	        {.world = "office", .route = "north", .frames = frames, .width_px = width_px},
-	        {.world = "warehouse", .route = "mav_aisles", .kind = RobotKind::mav, .frames = frames, .width_px = width_px}};
+	return {
+	    {.world = "corridor", .route = "main", .frames = frames, .width_px = width_px},
+	    {.world = "office", .route = "north", .frames = frames, .width_px = width_px},
+	    {.world = "warehouse", .route = "mav_aisles", .kind = RobotKind::mav, .frames = frames, .width_px = width_px}};
 }
 }  // namespace explore::test

@@ -59,6 +59,11 @@ VoxelBlock& BlockStore::fetch(const GridKey& block)
 	return *place;
 }
 
+Eigen::Vector3d BlockStore::centerOf(const GridKey& voxel) const
+{
+	return (voxel.cast<double>() - kOriginKey + 0.5) * m_tree->getResolution();
+}
+
 float BlockStore::logOdds(const GridKey& voxel) const
 {
 	if (const VoxelBlock* block = find(blockOfVoxel(voxel)))

@@ -39,6 +39,8 @@ public:
 	/** The block of that key in the window; from the tree where it was not there yet. */
 	VoxelBlock& fetch(const GridKey& block);
 
+	/** The middle of a voxel, map frame [m]. */
+	[[nodiscard]] Eigen::Vector3d centerOf(const GridKey& voxel) const;
 	/** Of any voxel of the map; kUnknown where no ray came. */
 	[[nodiscard]] float logOdds(const GridKey& voxel) const;
 

@@ -31,10 +31,14 @@ void readNode(const octomap::OcTree& tree, const Node& node, std::span<float> va
 	}
 	const std::size_t octant = values.size() / 8;
 	for (unsigned int i = 0; i < 8; ++i)
-		if (tree.nodeChildExists(&node, i)) readNode(tree, *tree.getNodeChild(&node, i), values.subspan(i * octant, octant));
+		if (tree.nodeChildExists(&node, i))
+			readNode(tree, *tree.getNodeChild(&node, i), values.subspan(i * octant, octant));
 }
 
-bool isKnown(float log_odds) { return !std::isnan(log_odds); }
+bool isKnown(float log_odds)
+{
+	return !std::isnan(log_odds);
+}
 
 /** Makes the node a leaf. OcTree frees a node's table of children only when it prunes. */
 void collapse(octomap::OcTree& tree, Node& node)

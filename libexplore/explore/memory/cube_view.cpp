@@ -6,7 +6,7 @@ namespace explore
 {
 namespace
 {
-constexpr float kInFront_m = 1e-6F;  // where a cube reaches behind the camera, its view begins here
+constexpr float kInFront_m = 1e-6F;        // where a cube reaches behind the camera, its view begins here
 constexpr float kFarOutside_px = 1 << 14;  // larger than any image; floats hold its sums to 1/500
 constexpr float kRounding_px = 0.01F;
 
@@ -22,7 +22,8 @@ int floorOf(float pixel)
 	       static_cast<int>(kFarOutside_px);
 }
 
-/** Columns (axis 1) or rows (axis 2) with centres in the view of a cube; `per_nearest`, `per_farthest` are 1 / depth. */
+/** Columns (axis 1) or rows (axis 2) with centres in the view of a cube; `per_nearest`, `per_farthest` are 1 / depth.
+ */
 Interval pixelsAlong(const FrameRays& rays, const CubeView& cube, int axis, float per_nearest, float per_farthest)
 {
 	const float low = cube.center[axis] - cube.half[axis], high = cube.center[axis] + cube.half[axis];

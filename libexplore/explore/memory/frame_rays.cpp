@@ -11,24 +11,23 @@ namespace explore
 {
 namespace
 {
-constexpr double kOriginKey = 32768.0;  // OctoMap's key of the map's origin
-
 void checkPlace(const Eigen::Vector3d& voxels, const DepthFrame& frame, const OccupancyConfig& config)
 {
 	const double reach = config.range_m / config.resolution_m + 2.0 * kBlockEdge;
 	// Written so that NaN fails too.
 	if ((voxels.array().abs() < kOriginKey - reach).all()) return;
 	throw InputError(mrpt::format(
-	    "frame %zu: the camera is at (%g, %g, %g) m in the map, but with voxels of %g m it must be within %g m", frame.index,
-	    voxels.x() * config.resolution_m, voxels.y() * config.resolution_m, voxels.z() * config.resolution_m,
-	    config.resolution_m, (kOriginKey - reach) * config.resolution_m));
+	    "frame %zu: the camera is at (%g, %g, %g) m in the map, but with voxels of %g m it must be within %g m",
+	    frame.index, voxels.x() * config.resolution_m, voxels.y() * config.resolution_m,
+	    voxels.z() * config.resolution_m, config.resolution_m, (kOriginKey - reach) * config.resolution_m));
 }
 
 void setOptics(FrameRays& rays, const CameraIntrinsics& camera)
 {
 	rays.width_px = camera.width_px;
 	rays.height_px = camera.height_px;
-	rays.left.assign(static_cast<std::size_t>(camera.width_px + FrameRays::kLanes), std::numeric_limits<float>::quiet_NaN());
+	rays.left.assign(static_cast<std::size_t>(camera.width_px + FrameRays::kLanes),
+	                 std::numeric_limits<float>::quiet_NaN());
 	rays.up.resize(static_cast<std::size_t>(camera.height_px));
 	for (int u = 0; u < camera.width_px; ++u)
 		rays.left[static_cast<std::size_t>(u)] = static_cast<float>(rayOfPixel(camera, u, camera.cy_px).y());
@@ -61,7 +60,7 @@ FrameRays raysOf(const DepthFrame& frame, const OccupancyConfig& config)
 	checkPlace(camera_in_voxels, frame, config);
 	FrameRays rays;
 	const Eigen::Vector3d corner = camera_in_voxels.array().floor();
-	rays.origin_key = corner.array().cast<int>() + static_cast<int>(kOriginKey);
+	rays.origin_key = corner.array().cast<int>() + kOriginKey;
 	rays.origin = (camera_in_voxels - corner).cast<float>();
 	rays.voxels_from_camera = (map_from_camera.linear() / config.resolution_m).cast<float>();
 	rays.camera_from_voxels = (map_from_camera.linear().transpose() * config.resolution_m).cast<float>();

@@ -17,12 +17,12 @@ struct FrameRays
 	static constexpr int kLanes = 8;
 
 	int width_px = 0, height_px = 0;
-	GridKey origin_key = GridKey::Zero();              ///< the voxel that the camera is in
-	Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< where in it, 0–1
+	GridKey origin_key = GridKey::Zero();                              ///< the voxel that the camera is in
+	Eigen::Vector3f origin = Eigen::Vector3f::Zero();                  ///< where in it, 0–1
 	Eigen::Matrix3f voxels_from_camera = Eigen::Matrix3f::Identity();  ///< directions; lengths from metres to voxels
 	Eigen::Matrix3f camera_from_voxels = Eigen::Matrix3f::Identity();
-	/** y and z of the rays' directions by column and row, for an x of 1. After the last column come kLanes of NaN, so that
-	 *  loops may run over it. */
+	/** y and z of the rays' directions by column and row, for an x of 1. After the last column come kLanes of NaN, so
+	 * that loops may run over it. */
 	std::vector<float> left, up;
 	/** Depth up to which each pixel's ray saw, row-major; 0 = no return, and kLanes more of them at the end. */
 	std::vector<float> reach_m;

@@ -12,28 +12,34 @@ namespace explore
 {
 namespace
 {
-constexpr int kMargin_blocks = 3;
 constexpr double kSameSize = 1e-6;
-constexpr int kLastKey = 65535;
+constexpr int kLastKey = 2 * kOriginKey - 1;
 
 std::unique_ptr<octomap::OcTree> emptyMap(const OccupancyConfig& config)
 {
 	return std::make_unique<octomap::OcTree>(config.resolution_m);
 }
 
-std::unique_ptr<octomap::OcTree> checkedMap(std::unique_ptr<octomap::OcTree> map, const OccupancyConfig& config)
+/** The map with the configured sensor model; throws where its voxels have another size. */
+std::unique_ptr<octomap::OcTree> preparedMap(std::unique_ptr<octomap::OcTree> map, const OccupancyConfig& config)
 {
 	if (std::abs(map->getResolution() - config.resolution_m) > kSameSize * config.resolution_m)
-		throw ConfigError(mrpt::format("[map] resolution is %g m, but the old map has voxels of %g m: set resolution = %g",
-		                               config.resolution_m, map->getResolution(), map->getResolution()));
+		throw ConfigError(
+		    mrpt::format("[map] resolution is %g m, but the old map has voxels of %g m: set resolution = %g",
+		                 config.resolution_m, map->getResolution(), map->getResolution()));
 	map->setProbHit(config.hit_probability);
+	map->setProbMiss(config.miss_probability);
+	map->setClampingThresMin(config.min_probability);
+	map->setClampingThresMax(config.max_probability);
 	return map;
 }
 
-/** How far from the camera's block the window must reach. */
+/** How far from the camera's block the window must reach, in blocks: a voxel leaves it no sooner than the stations that
+ *  it was hit from are forgotten. */
 int windowReach(const OccupancyConfig& config)
 {
-	return static_cast<int>(std::ceil(config.range_m / (config.resolution_m * kBlockEdge))) + kMargin_blocks;
+	const double reach_m = config.range_m + std::max(config.window_margin_m, Stations::kForgotten_m);
+	return static_cast<int>(std::ceil(reach_m / (config.resolution_m * kBlockEdge))) + 1;
 }
 
 octomap::OcTreeKey treeKey(const GridKey& voxel)
@@ -46,7 +52,9 @@ octomap::OcTreeKey treeKey(const GridKey& voxel)
 Occupancy::Occupancy(const OccupancyConfig& config) : Occupancy(config, emptyMap(config)) {}
 
 Occupancy::Occupancy(const OccupancyConfig& config, std::unique_ptr<octomap::OcTree> map)
-    : m_config(config), m_sensor(config), m_store(checkedMap(std::move(map), config), m_sensor.lowest, windowReach(config))
+    : m_config(config),
+      m_sensor(config),
+      m_store(preparedMap(std::move(map), config), m_sensor.lowest, windowReach(config))
 {
 }
 
@@ -56,11 +64,27 @@ void Occupancy::insert(const DepthFrame& frame)
 	if (frame.image.empty()) return;
 	const FrameRays rays = raysOf(frame, m_config);
 	m_store.moveTo(blockOfVoxel(rays.origin_key));
+	enterStation(rays);
 	const ReachPyramid pyramid(rays);
 	std::vector<VoxelBlock*> in_frame;
 	markRayEnds(rays, frame.image, m_store, in_frame);
 	markRayPasses(rays, pyramid, static_cast<float>(m_config.range_m), m_store, in_frame);
 	for (VoxelBlock* block : in_frame) apply(*block);
+	if (m_config.second_look_range_m <= 0.0) return;
+	const LookInput look{rays, frame.image, pyramid, m_store, m_stations, m_config};
+	for (const MissedVoxel& voxel : missedAtSecondLook(look)) miss(voxel);
+}
+
+void Occupancy::enterStation(const FrameRays& rays)
+{
+	const Eigen::Vector3d in_voxels =
+	    (rays.origin_key - kOriginKey).cast<double>().matrix() + rays.origin.cast<double>();
+	if (!m_stations.moveTo(in_voxels * m_config.resolution_m)) return;
+	for (VoxelBlock* block : m_store.blocks())
+	{
+		block->hit_station.fill(0);
+		block->last_station = 0;
+	}
 }
 
 void Occupancy::apply(VoxelBlock& block)
@@ -71,11 +95,23 @@ void Occupancy::apply(VoxelBlock& block)
 		const float sum = (std::isnan(before) ? 0.0F : before) + step;
 		setLogOdds(block, place, std::clamp(sum, m_sensor.lowest, m_sensor.highest));
 	};
-	block.hits.forEach([&](int place) { update(place, m_sensor.hit); });
+	block.hits.forEach(
+	    [&](int place)
+	    {
+		    update(place, m_sensor.hit);
+		    block.hit_station[static_cast<std::size_t>(place)] = m_stations.current();
+		    block.last_station = m_stations.current();
+	    });
 	block.passes.forEach([&](int place) { update(place, m_sensor.miss); });
 	block.hits = {};
 	block.passes = {};
 	block.in_frame = false;
+}
+
+void Occupancy::miss(const MissedVoxel& voxel)
+{
+	const float log_odds = voxel.block->log_odds[static_cast<std::size_t>(voxel.place)] + m_sensor.miss;
+	setLogOdds(*voxel.block, voxel.place, log_odds < 0.0F ? kUnknown : log_odds);
 }
 
 void Occupancy::setLogOdds(VoxelBlock& block, int place, float log_odds)
@@ -105,7 +141,7 @@ VoxelState Occupancy::stateOf(const octomap::OcTreeKey& voxel) const
 VoxelBox Occupancy::statesIn(const Eigen::AlignedBox3d& box_in_map) const
 {
 	const auto keys = [&](const Eigen::Vector3d& point) -> Eigen::Array3d
-	{ return (point.array() / m_config.resolution_m).floor() + 0.5 * (kLastKey + 1); };
+	{ return (point.array() / m_config.resolution_m).floor() + kOriginKey; };
 	const Eigen::Array3d low = keys(box_in_map.min()).max(0.0), high = keys(box_in_map.max()).min(kLastKey);
 	VoxelBox box;
 	if (!(low <= high).all()) return box;

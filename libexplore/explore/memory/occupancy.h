@@ -4,6 +4,8 @@
 #include <explore/core/depth_frame.h>
 #include <explore/memory/block_store.h>
 #include <explore/memory/occupancy_config.h>
+#include <explore/memory/second_look.h>
+#include <explore/memory/stations.h>
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -26,12 +28,12 @@ struct VoxelBox
 	std::vector<VoxelState> states;
 };
 
-/** Frames go in, the map is ready after each. What a frame says is what OctoMap's insertPointCloud would make of all its
- *  pixels: a voxel in which a ray ends is hit; one that a ray passes before it ends, or reaches the range, is missed; a
- *  hit wins; pixels without return say nothing but for second_look.h. Same frames, same map, to the last bit.
+/** Frames go in, the map is ready after each. What a frame says is what OctoMap's insertPointCloud would make of all
+ * its pixels: a voxel in which a ray ends is hit; one that a ray passes before it ends, or reaches the range, is
+ * missed; a hit wins; pixels without return say nothing but for second_look.h. Same frames, same map, to the last bit.
  *
- *  Memory: the octree (16 bytes a node, grows with the space seen) and, of the blocks of 8³ voxels within the range of the
- *  camera, 3.2 kB for each that holds anything: 20–30 MB at 5 cm and 5 m in a building. */
+ *  Memory: the octree (16 bytes a node, grows with the space seen) and, of the blocks of 8³ voxels within the range of
+ * the camera, 3.2 kB for each that holds anything: 20–30 MB at 5 cm and 5 m in a building. */
 class Occupancy
 {
 public:
@@ -39,8 +41,8 @@ public:
 	/** Goes on with an older map. Throws ConfigError when its voxels have another size. */
 	Occupancy(const OccupancyConfig& config, std::unique_ptr<octomap::OcTree> map);
 
-	/** Adds the depth image of `frame`, seen from map_from_robot + robot_from_camera; a frame without image adds nothing.
-	 *  Throws InputError for a pose that is not finite or beyond the octree's reach (1638 m at 5 cm). */
+	/** Adds the depth image of `frame`, seen from map_from_robot + robot_from_camera; a frame without image adds
+	 * nothing. Throws InputError for a pose that is not finite or beyond the octree's reach (1638 m at 5 cm). */
 	void insert(const DepthFrame& frame);
 
 	[[nodiscard]] VoxelState stateAt(const Eigen::Vector3d& point_in_map) const;
@@ -50,18 +52,21 @@ public:
 	/** What the last insert() changed, each voxel once. */
 	[[nodiscard]] const std::vector<VoxelChange>& changes() const { return m_changes; }
 
-	/** The whole map, inner nodes and log-odds up to date. Between calls its leaves are of the right state (occupied,
-	 *  free, unknown), while a block's log-odds are as they were when a state in it last changed. */
+	/** The whole map, brought up to date: what changed since the last call is written now, inner nodes last. Later
+	 * frames change it again only through another call. */
 	const octomap::OcTree& tree();
 	[[nodiscard]] double resolution_m() const { return m_config.resolution_m; }
 
 private:
+	void enterStation(const FrameRays& rays);
 	void apply(VoxelBlock& block);
+	void miss(const MissedVoxel& voxel);
 	void setLogOdds(VoxelBlock& block, int place, float log_odds);
 
 	OccupancyConfig m_config;
 	SensorModel m_sensor;
 	BlockStore m_store;
+	Stations m_stations;
 	std::vector<VoxelChange> m_changes;
 };
 }  // namespace explore

@@ -9,6 +9,9 @@ void describe(FieldVisitor& fields, OccupancyConfig& config)
 	fields.real("resolution", config.resolution_m, {0.02, 0.5}, "m", "Edge of a voxel.");
 	fields.real("range", config.range_m, {1.0, 20.0}, "m",
 	            "Measurements count up to this distance; beyond it a ray says that space is free up to here.");
+	fields.real(
+	    "window_margin", config.window_margin_m, {1.25, 100.0}, "m",
+	    "How far beyond the range the map is kept at hand. More takes memory and saves work; the map is the same.");
 	fields.real("hit_probability", config.hit_probability, {0.51, 0.99}, "",
 	            "How surely a voxel is occupied in which a ray ends.");
 	fields.real("miss_probability", config.miss_probability, {0.01, 0.49}, "",

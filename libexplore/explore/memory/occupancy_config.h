@@ -5,11 +5,14 @@
 
 namespace explore
 {
-/** Probabilities are those of OctoMap's sensor model (Hornung et al. 2013, "OctoMap", §3.2), whose defaults they have. */
+/** Probabilities are those of OctoMap's sensor model (Hornung et al. 2013, "OctoMap", §3.2), whose defaults they have.
+ */
 struct OccupancyConfig
 {
 	double resolution_m = 0.05;  ///< edge of a voxel
 	double range_m = 5.0;        ///< along the ray; what is farther counts as free up to here
+	/** How far beyond the range the map is kept at hand: more takes memory and saves work. The map is the same. */
+	double window_margin_m = 1.25;
 	double hit_probability = 0.7, miss_probability = 0.4;
 	double min_probability = 0.12, max_probability = 0.97;  ///< where a voxel's probability is clamped
 	/** Up to here, things that return no light any more are forgotten (second_look.h); 0 = never. */

@@ -55,7 +55,8 @@ Row rowOf(const FrameRays& rays, const DepthImage& image, int v, const BlockStor
 	for (std::size_t i = 0; i < 3; ++i)
 	{
 		const auto axis = static_cast<Eigen::Index>(i);
-		row.start[i] = rays.voxels_from_camera(axis, 0) + rays.voxels_from_camera(axis, 2) * rays.up[static_cast<std::size_t>(v)];
+		row.start[i] =
+		    rays.voxels_from_camera(axis, 0) + rays.voxels_from_camera(axis, 2) * rays.up[static_cast<std::size_t>(v)];
 		row.slope[i] = rays.voxels_from_camera(axis, 1);
 		row.origin[i] = rays.origin[axis];
 		row.from[i] = rays.origin_key[axis] - store.first()[axis] * kBlockEdge;

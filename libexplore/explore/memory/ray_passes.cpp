@@ -13,7 +13,7 @@ namespace explore
 {
 namespace
 {
-constexpr int kOctet = 8;             // a cube of 2³ voxels, looked at together
+constexpr int kOctet = 8;  // a cube of 2³ voxels, looked at together
 constexpr int kOctantEdge = kBlockEdge / 2;
 constexpr float kHoldsPixel_px = 0.75F;  // a circle of this radius holds the pixel nearest to its centre
 constexpr float kOutside_px = 1 << 14;
@@ -49,7 +49,8 @@ public:
 		{
 			const auto [x, y, z] = coordinatesOfPlace(i);
 			const Eigen::Vector3f offset = rays.camera_from_voxels * Eigen::Vector3f(x, y, z);
-			for (std::size_t axis = 0; axis < 3; ++axis) m_octet_offset[axis][i] = offset[static_cast<Eigen::Index>(axis)];
+			for (std::size_t axis = 0; axis < 3; ++axis)
+				m_octet_offset[axis][i] = offset[static_cast<Eigen::Index>(axis)];
 		}
 		for (int octet = 0; octet < kBlockVoxels / kOctet; ++octet)
 		{
@@ -84,7 +85,8 @@ public:
 	}
 
 private:
-	void findInOctant(int octant, const GridKey& block, const CubeView& view, const VoxelBits& skip, VoxelBits& passes) const
+	void findInOctant(int octant, const GridKey& block, const CubeView& view, const VoxelBits& skip,
+	                  VoxelBits& passes) const
 	{
 		const ReachPyramid::Around around = m_pyramid.around(widest_px(view, m_voxel_half));
 		const ReachPyramid::Around around_octet = m_pyramid.around(widest_px(view, 2.0F * m_voxel_half));
@@ -164,7 +166,8 @@ private:
 		if (nearest_m <= 0.0F) return std::numeric_limits<float>::infinity();
 		const float tangent = (cube.center.tail<2>().cwiseAbs() + cube.half.tail<2>()).maxCoeff() / nearest_m;
 		const float extent_m = part_half.tail<2>().maxCoeff() + tangent * part_half.x();
-		return m_rays.px_per_tangent.abs().maxCoeff() * extent_m / nearest_m + 0.6F;  // and the rounding of its own pixel
+		return m_rays.px_per_tangent.abs().maxCoeff() * extent_m / nearest_m +
+		       0.6F;  // and the rounding of its own pixel
 	}
 
 	const FrameRays& m_rays;
@@ -174,7 +177,7 @@ private:
 	std::array<Octet, 3> m_octet_offset{};  ///< of an octet's voxels from its first one, an array an axis
 	std::array<Eigen::Vector3f, kBlockVoxels / kOctet> m_octet_start{};  ///< of octets from a block's first one
 	Eigen::Vector3f m_octet_middle;  ///< of an octet's middle from its first voxel's
-	float m_inscribed_px;  ///< radius of the circle in the view of a voxel 1 m deep
+	float m_inscribed_px;            ///< radius of the circle in the view of a voxel 1 m deep
 };
 
 /** The blocks that rays may reach. */

@@ -8,12 +8,12 @@
 namespace explore
 {
 /** Sets VoxelBlock::passes of just those voxels that the rays of the pixels, as lines without width, cross and leave
- *  again before they end; but for VoxelBlock::hits, which must be set and win, and VoxelBlock::settled, which a pass does
- *  not change. Blocks that get a first bit are appended to `in_frame`.
+ *  again before they end; but for VoxelBlock::hits, which must be set and win, and VoxelBlock::settled, which a pass
+ * does not change. Blocks that get a first bit are appended to `in_frame`.
  *
  *  The voxels are looked up in the image rather than walked to, from large cubes to small ones (as wavemap does,
- *  Reijgwart et al. 2023): the farthest reach in a part of the image says that nothing passes there, the pixel that sees
- *  a voxel's centre that something does; where neither decides, the rays are intersected with the voxel. */
+ *  Reijgwart et al. 2023): the farthest reach in a part of the image says that nothing passes there, the pixel that
+ * sees a voxel's centre that something does; where neither decides, the rays are intersected with the voxel. */
 void markRayPasses(const FrameRays& rays, const ReachPyramid& pyramid, float range_m, BlockStore& store,
                    std::vector<VoxelBlock*>& in_frame);
 }  // namespace explore

@@ -8,9 +8,8 @@ namespace explore
 {
 namespace
 {
-constexpr int kFirstShift = 2;  // finer cells are not worth keeping
 constexpr int kMostCellsAround = 3;
-constexpr int kMaxCells = 4;    // an axis, that one look into a rectangle takes
+constexpr int kMaxCells = 4;  // an axis, that one look into a rectangle takes
 constexpr float kOutside_px = 1e6F;
 
 struct Grid
@@ -23,9 +22,14 @@ float farther(float a, float b)
 {
 	return a < b ? b : a;
 }
+float lesser(float a, float b)
+{
+	return a < b ? a : b;
+}
 
-/** The farthest of each 2 × 2 cells, or of what there is of them at the edges. */
-std::vector<float> halved(const Grid& fine)
+/** Each 2 × 2 cells, or what there is of them at the edges, joined. */
+template <class Join>
+std::vector<float> halved(const Grid& fine, const Join& join)
 {
 	const int columns = (fine.columns + 1) / 2, rows = (fine.rows + 1) / 2;
 	std::vector<float> coarse(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
@@ -35,8 +39,8 @@ std::vector<float> halved(const Grid& fine)
 		const float* b = 2 * row + 1 < fine.rows ? a + fine.columns : a;
 		float* out = coarse.data() + static_cast<std::ptrdiff_t>(row) * columns;
 		for (int i = 0; i < fine.columns / 2; ++i)
-			out[i] = farther(farther(a[2 * i], a[2 * i + 1]), farther(b[2 * i], b[2 * i + 1]));
-		if (fine.columns % 2 != 0) out[columns - 1] = farther(a[fine.columns - 1], b[fine.columns - 1]);
+			out[i] = join(join(a[2 * i], a[2 * i + 1]), join(b[2 * i], b[2 * i + 1]));
+		if (fine.columns % 2 != 0) out[columns - 1] = join(a[fine.columns - 1], b[fine.columns - 1]);
 	}
 	return coarse;
 }
@@ -61,9 +65,10 @@ std::vector<float> widened(const Grid& grid)
 }
 }  // namespace
 
-ReachPyramid::Level ReachPyramid::makeLevel(std::vector<float> farthest_m, int columns, int rows)
+ReachPyramid::Level ReachPyramid::makeLevel(int columns, int rows, std::vector<float> farthest_m,
+                                            std::vector<float> darkest_m)
 {
-	Level level{columns, rows, std::move(farthest_m), {}};
+	Level level{columns, rows, std::move(farthest_m), std::move(darkest_m), {}};
 	Grid grid{columns, rows, level.farthest_m.data()};
 	for (std::vector<float>& wider : level.wider_farthest_m)
 	{
@@ -76,16 +81,17 @@ ReachPyramid::Level ReachPyramid::makeLevel(std::vector<float> farthest_m, int c
 ReachPyramid::ReachPyramid(const FrameRays& rays)
     : m_rays(&rays), m_width_px(rays.width_px), m_height_px(rays.height_px)
 {
-	Grid finer{rays.width_px, rays.height_px, rays.reach_m.data()};
-	std::vector<float> below_first;
-	for (int shift = 1; shift <= kFirstShift || finer.columns > 1 || finer.rows > 1; ++shift)
+	static_assert(kFirstShift == 2);
+	const std::vector<float> pairs = halved({rays.width_px, rays.height_px, rays.reach_m.data()}, farther);
+	const Grid half{(rays.width_px + 1) / 2, (rays.height_px + 1) / 2, pairs.data()};
+	std::vector<float> quarter = halved(half, farther);
+	m_levels.push_back(makeLevel((half.columns + 1) / 2, (half.rows + 1) / 2, quarter, quarter));
+	while (m_levels.back().columns > 1 || m_levels.back().rows > 1)
 	{
-		std::vector<float> farthest_m = halved(finer);
-		finer = {(finer.columns + 1) / 2, (finer.rows + 1) / 2, farthest_m.data()};  // moving a vector leaves its data there
-		if (shift < kFirstShift)
-			below_first = std::move(farthest_m);
-		else
-			m_levels.push_back(makeLevel(std::move(farthest_m), finer.columns, finer.rows));
+		const Level& finer = m_levels.back();
+		m_levels.push_back(makeLevel((finer.columns + 1) / 2, (finer.rows + 1) / 2,
+		                             halved({finer.columns, finer.rows, finer.farthest_m.data()}, farther),
+		                             halved({finer.columns, finer.rows, finer.darkest_m.data()}, lesser)));
 	}
 }
 
@@ -105,26 +111,45 @@ PixelRect ReachPyramid::inImage(const PixelRect& rect) const
 	        std::min(rect.v1, m_height_px - 1)};
 }
 
+ReachPyramid::CellRange ReachPyramid::cellsOver(const PixelRect& rect) const
+{
+	int shift = kFirstShift;
+	const int size = std::max(rect.u1 - rect.u0, rect.v1 - rect.v0);
+	while ((size >> shift) >= kMaxCells && shift < lastShift()) ++shift;
+	return {&level(shift), rect.u0 >> shift, rect.v0 >> shift, rect.u1 >> shift, rect.v1 >> shift};
+}
+
 float ReachPyramid::farthestIn(const PixelRect& rect) const
 {
 	const PixelRect part = inImage(rect);
 	if (part.u0 > part.u1 || part.v0 > part.v1) return 0.0F;
-	int shift = kFirstShift;
-	const int size = std::max(part.u1 - part.u0, part.v1 - part.v0);
-	while ((size >> shift) >= kMaxCells && shift < lastShift()) ++shift;
-	const Level& cells = level(shift);
+	const CellRange cells = cellsOver(part);
 	float farthest_m = 0.0F;
-	for (int row = part.v0 >> shift; row <= part.v1 >> shift; ++row)
-		for (int column = part.u0 >> shift; column <= part.u1 >> shift; ++column)
-			farthest_m = farther(farthest_m, cells.farthest_m[static_cast<std::size_t>(row * cells.columns + column)]);
+	for (int row = cells.first_row; row <= cells.last_row; ++row)
+		for (int column = cells.first_column; column <= cells.last_column; ++column)
+			farthest_m = farther(
+			    farthest_m, cells.level->farthest_m[static_cast<std::size_t>(row * cells.level->columns + column)]);
 	return farthest_m;
+}
+
+bool ReachPyramid::anyDarkIn(const PixelRect& rect) const
+{
+	const PixelRect part = inImage(rect);
+	if (part.u0 > part.u1 || part.v0 > part.v1) return false;
+	const CellRange cells = cellsOver(part);
+	for (int row = cells.first_row; row <= cells.last_row; ++row)
+		for (int column = cells.first_column; column <= cells.last_column; ++column)
+			if (cells.level->darkest_m[static_cast<std::size_t>(row * cells.level->columns + column)] <= 0.0F)
+				return true;
+	return false;
 }
 
 ReachPyramid::Around ReachPyramid::around(float radius_px) const
 {
 	int shift = kFirstShift;
 	while (static_cast<float>(kMostCellsAround << shift) < radius_px && shift < lastShift()) ++shift;
-	const float cells = std::clamp(std::ceil(radius_px / static_cast<float>(1 << shift)), 1.0F, static_cast<float>(kMostCellsAround));
+	const float cells =
+	    std::clamp(std::ceil(radius_px / static_cast<float>(1 << shift)), 1.0F, static_cast<float>(kMostCellsAround));
 	Around around;
 	around.m_reach_m = m_rays->reach_m.data();
 	around.m_farthest_m = level(shift).wider_farthest_m[static_cast<std::size_t>(cells) - 1].data();

@@ -28,6 +28,9 @@ public:
 	/** The part of the rectangle that is in the image; empty ones have u0 > u1 or v0 > v1. */
 	[[nodiscard]] PixelRect inImage(const PixelRect& rect) const;
 
+	/** Whether some 4 × 4 pixels in or at the edge of the rectangle all have no return. */
+	[[nodiscard]] bool anyDarkIn(const PixelRect& rect) const;
+
 	/** What is seen at and around a pixel, by a look-up or two. */
 	class Around
 	{
@@ -45,7 +48,8 @@ public:
 			const int inner_u = std::clamp(u, 0, m_width_px - 1), inner_v = std::clamp(v, 0, m_height_px - 1);
 			const int moved_px = std::max(std::abs(u - inner_u), std::abs(v - inner_v));
 			const float farthest_m = m_farthest_m[(inner_v >> m_shift) * m_columns + (inner_u >> m_shift)];
-			return {moved_px > m_radius_px ? 0.0F : farthest_m, m_reach_m[inner_v * m_width_px + inner_u], moved_px == 0};
+			return {moved_px > m_radius_px ? 0.0F : farthest_m, m_reach_m[inner_v * m_width_px + inner_u],
+			        moved_px == 0};
 		}
 
 	private:
@@ -61,11 +65,21 @@ private:
 	struct Level
 	{
 		int columns = 0, rows = 0;
-		std::vector<float> farthest_m;        ///< in each cell
+		std::vector<float> farthest_m;  ///< in each cell
+		std::vector<float> darkest_m;   ///< the least of what is farthest in the 4 × 4 pixels of the cell
 		/** In it and 1, 2 and 3 cells around it. */
 		std::array<std::vector<float>, 3> wider_farthest_m;
 	};
-	static Level makeLevel(std::vector<float> farthest_m, int columns, int rows);
+	static constexpr int kFirstShift = 2;  // finer cells are not worth keeping
+	/** Cells of one level. */
+	struct CellRange
+	{
+		const Level* level;
+		int first_column, first_row, last_column, last_row;
+	};
+	static Level makeLevel(int columns, int rows, std::vector<float> farthest_m, std::vector<float> darkest_m);
+	/** The cells that a rectangle in the image, not empty, touches, of a level where they are few. */
+	[[nodiscard]] CellRange cellsOver(const PixelRect& rect) const;
 	[[nodiscard]] const Level& level(int shift) const;
 	[[nodiscard]] int lastShift() const;
 

@@ -31,6 +31,8 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
  *  map's origin; a block's are its voxels' divided by 8. */
 using GridKey = Eigen::Array3i;
 
+constexpr int kOriginKey = 32768;  // of the first voxel above the map's origin
+
 constexpr int kBlockBits = 3;
 constexpr int kBlockEdge = 1 << kBlockBits;
 constexpr int kBlockVoxels = kBlockEdge * kBlockEdge * kBlockEdge;
@@ -103,7 +105,7 @@ struct VoxelBlock
 {
 	GridKey key = GridKey::Zero();
 	BlockValues log_odds{};  ///< by place; kUnknown where no ray came
-	/** The camera's station (second_look.h) at each voxel's last hit. */
+	/** Where the camera was (stations.h) at each voxel's last hit; 0 = never, or too long ago. */
 	std::array<std::uint16_t, kBlockVoxels> hit_station{};
 	std::uint16_t last_station = 0;  ///< the latest of them
 	VoxelBits settled;               ///< those that cannot get any freer

@@ -71,8 +71,8 @@ template <bool Between>
 /** Of kLanes pixels. A ray that crosses the voxel passes each near plane before any far one; which of two planes comes
  *  first can be said without a division. */
 template <bool Between>
-[[gnu::always_inline]] inline bool anyLaneCrosses(const VoxelPlanes& planes, const RowDirections& row, const float* left,
-                                                  const float* reach_m)
+[[gnu::always_inline]] inline bool anyLaneCrosses(const VoxelPlanes& planes, const RowDirections& row,
+                                                  const float* left, const float* reach_m)
 {
 	int any = 0;
 	for (int k = 0; k < kLanes; ++k)

@@ -6,8 +6,8 @@
 
 namespace explore
 {
-/** Whether a ray of the pixels in `rect`, all in the image, enters the voxel, leaves it, and only then ends. Rays are lines
- *  without width; one that only touches the voxel does not count, nor does any that reaches no farther than `depth_m`, the
- *  depth of the voxel's nearest corner or less. */
+/** Whether a ray of the pixels in `rect`, all in the image, enters the voxel, leaves it, and only then ends. Rays are
+ * lines without width; one that only touches the voxel does not count, nor does any that reaches no farther than
+ * `depth_m`, the depth of the voxel's nearest corner or less. */
 bool anyRayCrosses(const FrameRays& rays, const GridKey& voxel, const PixelRect& rect, float depth_m);
 }  // namespace explore
