@@ -67,10 +67,7 @@ TEST(ReachPyramid, AroundAPixelNothingFartherIsMissed)
 		{
 			const int u = within(random, -60, 220), v = within(random, -60, 180);
 			const int r = static_cast<int>(std::min(radius_px, 1000.0F));
-			const auto sight = around(u, v);
-			ASSERT_GE(sight.farthest_m, farthestPixel(rays, {u - r, v - r, u + r, v + r})) << radius_px;
-			ASSERT_EQ(sight.in_image, u >= 0 && v >= 0 && u < 160 && v < 120);
-			ASSERT_TRUE(!sight.in_image || sight.reach_m == rays.reach(u, v));
+			ASSERT_GE(around(u, v), farthestPixel(rays, {u - r, v - r, u + r, v + r})) << radius_px;
 		}
 	}
 }

@@ -6,9 +6,6 @@ namespace explore
 {
 namespace
 {
-constexpr float kInFront_m = 1e-6F;        // where a cube reaches behind the camera, its view begins here
-constexpr float kFarOutside_px = 1 << 14;  // larger than any image; floats hold its sums to 1/500
-constexpr float kRounding_px = 0.01F;
 
 struct Interval
 {

@@ -6,6 +6,10 @@
 
 namespace explore
 {
+constexpr float kInFront_m = 1e-6F;        ///< where a cube reaches behind the camera, its view begins here
+constexpr float kFarOutside_px = 1 << 14;  ///< larger than any image; floats hold pixels beyond it to 1/500
+constexpr float kRounding_px = 0.01F;
+
 /** The box in camera axes that holds the cube [m]. */
 struct CubeView
 {

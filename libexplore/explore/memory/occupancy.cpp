@@ -69,10 +69,11 @@ void Occupancy::insert(const DepthFrame& frame)
 	std::vector<VoxelBlock*> in_frame;
 	markRayEnds(rays, frame.image, m_store, in_frame);
 	markRayPasses(rays, pyramid, static_cast<float>(m_config.range_m), m_store, in_frame);
+	std::vector<MissedVoxel> missed;
+	if (m_config.second_look_range_m > 0.0)
+		missed = missedAtSecondLook({rays, frame.image, pyramid, m_store, m_stations, m_config});
 	for (VoxelBlock* block : in_frame) apply(*block);
-	if (m_config.second_look_range_m <= 0.0) return;
-	const LookInput look{rays, frame.image, pyramid, m_store, m_stations, m_config};
-	for (const MissedVoxel& voxel : missedAtSecondLook(look)) miss(voxel);
+	for (const MissedVoxel& voxel : missed) miss(voxel);
 }
 
 void Occupancy::enterStation(const FrameRays& rays)

@@ -1,4 +1,5 @@
 #include <explore/memory/cube_view.h>
+#include <explore/memory/octet_look.h>
 #include <explore/memory/ray_passes.h>
 #include <explore/memory/voxel_crossing.h>
 
@@ -13,24 +14,14 @@ namespace explore
 {
 namespace
 {
-constexpr int kOctet = 8;  // a cube of 2³ voxels, looked at together
 constexpr int kOctantEdge = kBlockEdge / 2;
-constexpr float kHoldsPixel_px = 0.75F;  // a circle of this radius holds the pixel nearest to its centre
-constexpr float kOutside_px = 1 << 14;
-using Octet = Eigen::Array<float, kOctet, 1>;
 
 /** The bounds keep the conversion defined. */
 int nearestPixel(float pixel)
 {
-	return static_cast<int>(std::clamp(pixel, -kOutside_px, kOutside_px) + (kOutside_px + 0.5F)) -
-	       static_cast<int>(kOutside_px);
+	return static_cast<int>(std::clamp(pixel, -kFarOutside_px, kFarOutside_px) + (kFarOutside_px + 0.5F)) -
+	       static_cast<int>(kFarOutside_px);
 }
-
-/** What the pixels of their centres say of an octet's voxels, a bit a voxel. */
-struct OctetGuess
-{
-	unsigned passed = 0, hidden = 0;
-};
 
 /** Decides about the voxels of one frame. */
 class PassFinder
@@ -39,19 +30,11 @@ public:
 	PassFinder(const FrameRays& rays, const ReachPyramid& pyramid)
 	    : m_rays(rays),
 	      m_pyramid(pyramid),
-	      m_voxel_half(halfExtent(rays, 1.0F)),
+	      m_octet(octetLook(rays)),
 	      m_octant_half(halfExtent(rays, kOctantEdge)),
 	      m_block_half(halfExtent(rays, kBlockEdge)),
-	      m_octet_middle(rays.camera_from_voxels * Eigen::Vector3f::Constant(0.5F)),
-	      m_inscribed_px(0.5F * rays.camera_from_voxels.col(0).norm() * rays.px_per_tangent.abs().minCoeff())
+	      m_octet_middle(rays.camera_from_voxels * Eigen::Vector3f::Constant(0.5F))
 	{
-		for (int i = 0; i < kOctet; ++i)
-		{
-			const auto [x, y, z] = coordinatesOfPlace(i);
-			const Eigen::Vector3f offset = rays.camera_from_voxels * Eigen::Vector3f(x, y, z);
-			for (std::size_t axis = 0; axis < 3; ++axis)
-				m_octet_offset[axis][i] = offset[static_cast<Eigen::Index>(axis)];
-		}
 		for (int octet = 0; octet < kBlockVoxels / kOctet; ++octet)
 		{
 			const auto [x, y, z] = coordinatesOfPlace(octet * kOctet);
@@ -88,8 +71,8 @@ private:
 	void findInOctant(int octant, const GridKey& block, const CubeView& view, const VoxelBits& skip,
 	                  VoxelBits& passes) const
 	{
-		const ReachPyramid::Around around = m_pyramid.around(widest_px(view, m_voxel_half));
-		const ReachPyramid::Around around_octet = m_pyramid.around(widest_px(view, 2.0F * m_voxel_half));
+		const ReachPyramid::Around around = m_pyramid.around(widest_px(view, m_octet.half));
+		const ReachPyramid::Around around_octet = m_pyramid.around(widest_px(view, 2.0F * m_octet.half));
 		const Eigen::Vector3f first_center = m_rays.inCamera(block * kBlockEdge, Eigen::Vector3f::Constant(0.5F));
 		for (int octet = 8 * octant; octet < 8 * (octant + 1); ++octet)
 		{
@@ -105,58 +88,27 @@ private:
 	/** Whether everything around ends in front of an octet with its middle there. */
 	[[nodiscard]] bool isHidden(const Eigen::Vector3f& middle, const ReachPyramid::Around& around) const
 	{
-		const float nearest_m = middle.x() - 2.0F * m_voxel_half.x();
+		const float nearest_m = middle.x() - 2.0F * m_octet.half.x();
 		if (nearest_m <= 0.0F) return false;
 		const Eigen::Array2f pixel = m_rays.axis_px + m_rays.px_per_tangent * middle.tail<2>().array() / middle.x();
-		return around(nearestPixel(pixel.x()), nearestPixel(pixel.y())).farthest_m <= nearest_m;
+		return around(nearestPixel(pixel.x()), nearestPixel(pixel.y())) <= nearest_m;
 	}
 
 	/** Of the voxels in `wanted`, those that are passed; `at` is the centre of the first. */
 	[[nodiscard]] std::uint8_t passesOfOctet(const GridKey& first, const Eigen::Vector3f& at, unsigned wanted,
 	                                         const ReachPyramid::Around& around) const
 	{
-		const OctetGuess guess = guessOctet(at, around);
-		unsigned passed = guess.passed & wanted;
-		for (unsigned open = wanted & ~guess.passed & ~guess.hidden; open != 0U; open &= open - 1U)
+		const OctetSight sight = lookAtOctet(m_octet, at, around);
+		unsigned passed = sight.passed & wanted;
+		for (unsigned open = wanted & ~sight.passed & ~sight.hidden; open != 0U; open &= open - 1U)
 		{
-			const int i = std::countr_zero(open);
-			const auto [x, y, z] = coordinatesOfPlace(i);
-			if (anyRayPasses(first + GridKey(x, y, z))) passed |= 1U << i;
+			const int place = std::countr_zero(open);
+			const auto i = static_cast<std::size_t>(place);
+			const auto [x, y, z] = coordinatesOfPlace(place);
+			const PixelRect rect{sight.u0[i], sight.v0[i], sight.u1[i], sight.v1[i]};
+			if (anyRayCrosses(m_rays, first + GridKey(x, y, z), rect, sight.nearest_m[i])) passed |= 1U << i;
 		}
 		return static_cast<std::uint8_t>(passed);
-	}
-
-	/** Looks each voxel's centre up in the image. Without branches: which voxels are passed is too hard to guess. */
-	[[nodiscard]] OctetGuess guessOctet(const Eigen::Vector3f& at, const ReachPyramid::Around& around) const
-	{
-		const Octet depth_m = m_octet_offset[0] + at.x(), inverse = depth_m.inverse();
-		const Octet u_px = m_rays.axis_px[0] + m_rays.px_per_tangent[0] * (m_octet_offset[1] + at.y()) * inverse;
-		const Octet v_px = m_rays.axis_px[1] + m_rays.px_per_tangent[1] * (m_octet_offset[2] + at.z()) * inverse;
-		std::array<int, kOctet> u{}, v{};
-		for (std::size_t i = 0; i < kOctet; ++i)
-		{
-			u[i] = nearestPixel(u_px[static_cast<Eigen::Index>(i)]);
-			v[i] = nearestPixel(v_px[static_cast<Eigen::Index>(i)]);
-		}
-		const float half_m = m_voxel_half.x();
-		OctetGuess guess;
-		for (std::size_t i = 0; i < kOctet; ++i)
-		{
-			const ReachPyramid::Around::Sight sight = around(u[i], v[i]);
-			const float depth = depth_m[static_cast<Eigen::Index>(i)];
-			const bool in_front = depth > half_m, sure = (depth + half_m) * kHoldsPixel_px < m_inscribed_px;
-			const bool passed = (sight.reach_m > depth + half_m) & sight.in_image & in_front & sure;
-			const bool hidden = (in_front & (sight.farthest_m <= depth - half_m)) | (depth + half_m <= 0.0F);
-			guess.passed |= static_cast<unsigned>(passed) << i;
-			guess.hidden |= static_cast<unsigned>(hidden) << i;
-		}
-		return guess;
-	}
-
-	[[nodiscard]] bool anyRayPasses(const GridKey& voxel) const
-	{
-		const CubeView view{m_rays.inCamera(voxel, Eigen::Vector3f::Constant(0.5F)), m_voxel_half};
-		return anyRayCrosses(m_rays, voxel, m_pyramid.inImage(rectOf(m_rays, view)), view.nearest_m());
 	}
 
 	/** How far from its centre's pixel a part of a cube, in a box with that half extent, may be seen. */
@@ -172,12 +124,11 @@ private:
 
 	const FrameRays& m_rays;
 	const ReachPyramid& m_pyramid;
-	Eigen::Vector3f m_voxel_half, m_octant_half, m_block_half;
-	// Offsets in camera axes [m]:
-	std::array<Octet, 3> m_octet_offset{};  ///< of an octet's voxels from its first one, an array an axis
+	OctetLook m_octet;
+	Eigen::Vector3f m_octant_half, m_block_half;
+	// In camera axes [m]:
 	std::array<Eigen::Vector3f, kBlockVoxels / kOctet> m_octet_start{};  ///< of octets from a block's first one
 	Eigen::Vector3f m_octet_middle;  ///< of an octet's middle from its first voxel's
-	float m_inscribed_px;            ///< radius of the circle in the view of a voxel 1 m deep
 };
 
 /** The blocks that rays may reach. */

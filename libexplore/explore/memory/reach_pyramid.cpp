@@ -151,13 +151,13 @@ ReachPyramid::Around ReachPyramid::around(float radius_px) const
 	const float cells =
 	    std::clamp(std::ceil(radius_px / static_cast<float>(1 << shift)), 1.0F, static_cast<float>(kMostCellsAround));
 	Around around;
-	around.m_reach_m = m_rays->reach_m.data();
-	around.m_farthest_m = level(shift).wider_farthest_m[static_cast<std::size_t>(cells) - 1].data();
-	around.m_shift = shift;
-	around.m_columns = level(shift).columns;
-	around.m_width_px = m_width_px;
-	around.m_height_px = m_height_px;
-	around.m_radius_px = static_cast<int>(std::min(radius_px, kOutside_px)) + 1;
+	around.reach_m = m_rays->reach_m.data();
+	around.farthest_m = level(shift).wider_farthest_m[static_cast<std::size_t>(cells) - 1].data();
+	around.shift = shift;
+	around.columns = level(shift).columns;
+	around.width_px = m_width_px;
+	around.height_px = m_height_px;
+	around.radius_px = static_cast<int>(std::min(radius_px, kOutside_px)) + 1;
 	return around;
 }
 }  // namespace explore

@@ -31,31 +31,23 @@ public:
 	/** Whether some 4 × 4 pixels in or at the edge of the rectangle all have no return. */
 	[[nodiscard]] bool anyDarkIn(const PixelRect& rect) const;
 
-	/** What is seen at and around a pixel, by a look-up or two. */
-	class Around
+	/** For each pixel the farthest reach around it, one look-up a pixel: pixel (u, v), moved into the image where it is
+	 * not in it, has farthest_m[(v >> shift) · columns + (u >> shift)]. From farther outside than radius_px nothing is
+	 * around. */
+	struct Around
 	{
-	public:
-		struct Sight
-		{
-			float farthest_m;  ///< no pixel around reaches farther; 0 where none of them is in the image
-			float reach_m;     ///< of the pixel itself, or of the image's nearest to it
-			bool in_image;
-		};
-		/** (u, v) need not be in the image. */
-		[[nodiscard]] Sight operator()(int u, int v) const
-		{
-			// Moving a pixel into the image brings it nearer to every pixel of the image.
-			const int inner_u = std::clamp(u, 0, m_width_px - 1), inner_v = std::clamp(v, 0, m_height_px - 1);
-			const int moved_px = std::max(std::abs(u - inner_u), std::abs(v - inner_v));
-			const float farthest_m = m_farthest_m[(inner_v >> m_shift) * m_columns + (inner_u >> m_shift)];
-			return {moved_px > m_radius_px ? 0.0F : farthest_m, m_reach_m[inner_v * m_width_px + inner_u],
-			        moved_px == 0};
-		}
+		const float* farthest_m = nullptr;
+		int shift = 0, columns = 0, radius_px = 0;
+		const float* reach_m = nullptr;  ///< of each pixel, as in FrameRays
+		int width_px = 0, height_px = 0;
 
-	private:
-		friend ReachPyramid;
-		const float *m_reach_m = nullptr, *m_farthest_m = nullptr;
-		int m_shift = 0, m_columns = 0, m_width_px = 0, m_height_px = 0, m_radius_px = 0;
+		/** 0 where all pixels around are outside of the image. */
+		[[nodiscard]] float operator()(int u, int v) const
+		{
+			const int inner_u = std::clamp(u, 0, width_px - 1), inner_v = std::clamp(v, 0, height_px - 1);
+			if (std::max(std::abs(u - inner_u), std::abs(v - inner_v)) > radius_px) return 0.0F;
+			return farthest_m[(inner_v >> shift) * columns + (inner_u >> shift)];
+		}
 	};
 	/** Around means: within ±radius_px, and some pixels farther. */
 	[[nodiscard]] Around around(float radius_px) const;

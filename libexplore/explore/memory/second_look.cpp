@@ -41,6 +41,7 @@ public:
 		const std::uint16_t station = block.hit_station[static_cast<std::size_t>(place)];
 		if (!(block.log_odds[static_cast<std::size_t>(place)] >= 0.0F) || !m_in.stations.isRecent(station))
 			return false;
+		if (block.hits.test(place) || block.passes.test(place)) return false;
 		const GridKey voxel = block.voxelAt(place);
 		const CubeView view{m_in.rays.inCamera(voxel, Eigen::Vector3f::Constant(0.5F)), m_voxel_half};
 		if (view.nearest_m() <= 0.0F || view.center.norm() > m_range_m) return false;

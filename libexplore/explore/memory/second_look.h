@@ -18,7 +18,7 @@ struct MissedVoxel
 	int place;
 };
 
-/** One frame, as the second look needs it. */
+/** One frame, as the second look needs it: its hits and passes are marked, but not yet counted. */
 struct LookInput
 {
 	const FrameRays& rays;
@@ -32,6 +32,7 @@ struct LookInput
 /** A person who leaves an open hall, where the rays return nothing, would stay in the map for ever: no ray passes. The
  *  spatio-temporal voxel layer (Macenski et al. 2020) therefore lets what is in view and not confirmed fade. Here a
  * pixel without return says something only about a voxel of which all of this holds:
+ *  - no ray of the frame ends in it or passes through it;
  *  - it is occupied, within the second-look range, and was last hit from the same place (Stations), not from nearer:
  * what returned light then would do so again;
  *  - of the pixels that see it, the middle one has no return and none has one that is not from behind it;
