@@ -40,7 +40,8 @@ void setOptics(FrameRays& rays, const CameraIntrinsics& camera)
 
 void setReach(FrameRays& rays, const DepthImage& image, float range_m)
 {
-	rays.reach_m.assign(image.depth_m.size() + FrameRays::kLanes, 0.0F);
+	rays.reach_m.resize(image.depth_m.size() + FrameRays::kLanes);
+	std::fill(rays.reach_m.end() - FrameRays::kLanes, rays.reach_m.end(), 0.0F);
 	const auto width = static_cast<std::size_t>(rays.width_px);
 	for (std::size_t v = 0; v < rays.up.size(); ++v)
 	{
@@ -53,12 +54,11 @@ void setReach(FrameRays& rays, const DepthImage& image, float range_m)
 }
 }  // namespace
 
-FrameRays raysOf(const DepthFrame& frame, const OccupancyConfig& config)
+void setRays(FrameRays& rays, const DepthFrame& frame, const OccupancyConfig& config)
 {
 	const Eigen::Isometry3d map_from_camera = isometryOf(frame.map_from_robot + frame.robot_from_camera);
 	const Eigen::Vector3d camera_in_voxels = map_from_camera.translation() / config.resolution_m;
 	checkPlace(camera_in_voxels, frame, config);
-	FrameRays rays;
 	const Eigen::Vector3d corner = camera_in_voxels.array().floor();
 	rays.origin_key = corner.array().cast<int>() + kOriginKey;
 	rays.origin = (camera_in_voxels - corner).cast<float>();
@@ -66,6 +66,5 @@ FrameRays raysOf(const DepthFrame& frame, const OccupancyConfig& config)
 	rays.camera_from_voxels = (map_from_camera.linear().transpose() * config.resolution_m).cast<float>();
 	setOptics(rays, frame.image.intrinsics);
 	setReach(rays, frame.image, static_cast<float>(config.range_m));
-	return rays;
 }
 }  // namespace explore

@@ -46,7 +46,8 @@ struct FrameRays
 	}
 };
 
-/** Rays end at `depth` where that is within the range along the ray, otherwise at the range. Throws InputError for a
- *  pose outside of an octree's 65536 voxels an axis, or one that is not finite. */
-FrameRays raysOf(const DepthFrame& frame, const OccupancyConfig& config);
+/** Makes `rays` those of the frame, whatever they were before: large arrays are used again. Rays end at the pixel's
+ * depth where that is within the range along the ray, otherwise at the range. Throws InputError for a pose outside of
+ * an octree's 65536 voxels an axis, or one that is not finite. */
+void setRays(FrameRays& rays, const DepthFrame& frame, const OccupancyConfig& config);
 }  // namespace explore

@@ -62,7 +62,8 @@ void Occupancy::insert(const DepthFrame& frame)
 {
 	m_changes.clear();
 	if (frame.image.empty()) return;
-	const FrameRays rays = raysOf(frame, m_config);
+	setRays(m_rays, frame, m_config);
+	const FrameRays& rays = m_rays;
 	m_store.moveTo(blockOfVoxel(rays.origin_key));
 	enterStation(rays);
 	const ReachPyramid pyramid(rays);

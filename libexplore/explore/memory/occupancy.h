@@ -67,6 +67,7 @@ private:
 	SensorModel m_sensor;
 	BlockStore m_store;
 	Stations m_stations;
+	FrameRays m_rays;  ///< of the last frame
 	std::vector<VoxelChange> m_changes;
 };
 }  // namespace explore

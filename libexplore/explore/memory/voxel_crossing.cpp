@@ -14,45 +14,39 @@ using Triple = std::array<float, 3>;
  *  camera is between the planes, rays that go down the axis leave through another plane than those that go up. */
 struct VoxelPlanes
 {
-	Triple sign, near, far_up, far_down;
-	Triple fold;  ///< what turns a direction down the axis into one toward the far plane: −1, or 1 where there is none
+	Triple sign{}, near{}, far_up{}, far_down{};
+	Triple
+	    fold{};  ///< what turns a direction down the axis into one toward the far plane: −1, or 1 where there is none
 	bool camera_between = false;  ///< on any axis
 };
 
-VoxelPlanes planesOf(const Eigen::Array3f& low)
+/** `corner` is the voxel's lower one on that axis, seen from the camera. */
+[[gnu::always_inline]] inline void setAxis(VoxelPlanes& planes, std::size_t axis, float corner)
 {
-	VoxelPlanes planes{};
-	for (std::size_t i = 0; i < 3; ++i)
-	{
-		const float corner = low[static_cast<Eigen::Index>(i)];
-		// A ray along a face belongs to the voxel above it, as its points do.
-		const bool between = corner <= 0.0F && corner > -1.0F, below = corner <= -1.0F;
-		planes.sign[i] = below ? -1.0F : 1.0F;
-		planes.near[i] = between ? -1.0F : (below ? -corner - 1.0F : corner);
-		planes.far_up[i] = below ? -corner : corner + 1.0F;
-		planes.far_down[i] = between ? -corner : planes.far_up[i];
-		planes.fold[i] = between ? -1.0F : 1.0F;
-		planes.camera_between = planes.camera_between || between;
-	}
-	return planes;
+	// A ray along a face belongs to the voxel above it, as its points do.
+	const bool below = corner <= -1.0F, between = !below && corner <= 0.0F;
+	const float far = below ? -corner : corner + 1.0F;
+	planes.sign[axis] = below ? -1.0F : 1.0F;
+	planes.near[axis] = between ? -1.0F : far - 1.0F;
+	planes.far_up[axis] = far;
+	planes.far_down[axis] = between ? -corner : far;
+	planes.fold[axis] = between ? -1.0F : 1.0F;
+	planes.camera_between = planes.camera_between || between;
 }
 
-/** Directions of a row's rays: start + left · slope. */
+/** Directions of a row's rays: start + left · slope, with the planes' signs. */
 struct RowDirections
 {
 	Triple start, slope;
 };
 
-RowDirections directionsOf(const FrameRays& rays, const VoxelPlanes& planes, int v)
+[[gnu::always_inline]] inline RowDirections directionsOf(const FrameRays& rays, const Triple& sign, int v)
 {
-	RowDirections row{};
-	for (std::size_t i = 0; i < 3; ++i)
-	{
-		const Eigen::Vector3f axis = planes.sign[i] * rays.voxels_from_camera.row(static_cast<Eigen::Index>(i));
-		row.start[i] = axis.x() + axis.z() * rays.up[static_cast<std::size_t>(v)];
-		row.slope[i] = axis.y();
-	}
-	return row;
+	const Eigen::Matrix3f& turn = rays.voxels_from_camera;
+	const float up = rays.up[static_cast<std::size_t>(v)];
+	return {{sign[0] * (turn(0, 0) + turn(0, 2) * up), sign[1] * (turn(1, 0) + turn(1, 2) * up),
+	         sign[2] * (turn(2, 0) + turn(2, 2) * up)},
+	        {sign[0] * turn(0, 1), sign[1] * turn(1, 1), sign[2] * turn(2, 1)}};
 }
 
 /** One axis of a direction, and the plane through which it leaves. */
@@ -101,10 +95,10 @@ template <bool Between>
 /** What to look for, where. */
 struct Search
 {
-	const FrameRays* rays;
+	const FrameRays* rays = nullptr;
 	VoxelPlanes planes;
-	PixelRect rect;
-	float depth_m;  ///< rays that reach no farther do not matter
+	PixelRect rect{};
+	float depth_m = 0;  ///< rays that reach no farther do not matter
 };
 
 template <bool Between>
@@ -112,13 +106,16 @@ template <bool Between>
 {
 	const FrameRays& rays = *search.rays;
 	found = false;
-	for (int v = search.rect.v0; v <= search.rect.v1 && !found; ++v)
+	for (int v = search.rect.v0; v <= search.rect.v1; ++v)
 	{
-		const RowDirections row = directionsOf(rays, search.planes, v);
 		const float* reach_m = rays.rowOfReach(v);
-		for (int u = search.rect.u0; u <= search.rect.u1 && !found; u += kLanes)
-			if (anyReaches(reach_m + u, search.depth_m))
-				found = anyLaneCrosses<Between>(search.planes, row, rays.left.data() + u, reach_m + u);
+		for (int u = search.rect.u0; u <= search.rect.u1; u += kLanes)
+		{
+			if (!anyReaches(reach_m + u, search.depth_m)) continue;  // most do not
+			const RowDirections row = directionsOf(rays, search.planes.sign, v);
+			found = anyLaneCrosses<Between>(search.planes, row, rays.left.data() + u, reach_m + u);
+			if (found) return;
+		}
 	}
 }
 EXPLORE_VECTOR_CODE(searchAside, search<false>, (const Search& what, bool& found), (what, found))
@@ -127,7 +124,15 @@ EXPLORE_VECTOR_CODE(searchBetween, search<true>, (const Search& what, bool& foun
 
 bool anyRayCrosses(const FrameRays& rays, const GridKey& voxel, const PixelRect& rect, float depth_m)
 {
-	const Search what{&rays, planesOf((voxel - rays.origin_key).cast<float>() - rays.origin.array()), rect, depth_m};
+	Search what;
+	what.rays = &rays;
+	what.rect = rect;
+	what.depth_m = depth_m;
+	for (std::size_t i = 0; i < 3; ++i)
+	{
+		const auto axis = static_cast<Eigen::Index>(i);
+		setAxis(what.planes, i, static_cast<float>(voxel[axis] - rays.origin_key[axis]) - rays.origin[axis]);
+	}
 	bool found = false;
 	if (what.planes.camera_between)
 		searchBetween(what, found);
