@@ -42,6 +42,12 @@ int windowReach(const OccupancyConfig& config)
 	return static_cast<int>(std::ceil(reach_m / (config.resolution_m * kBlockEdge))) + 1;
 }
 
+/** The numbers of the voxel that holds the point; it may be one that no octree has. */
+Eigen::Array3d keyOf(const Eigen::Vector3d& point_in_map, const OccupancyConfig& config)
+{
+	return (point_in_map.array() / config.resolution_m).floor() + kOriginKey;
+}
+
 octomap::OcTreeKey treeKey(const GridKey& voxel)
 {
 	const auto key = [](int i) { return static_cast<octomap::key_type>(i); };
@@ -131,8 +137,9 @@ void Occupancy::setLogOdds(VoxelBlock& block, int place, float log_odds)
 
 VoxelState Occupancy::stateAt(const Eigen::Vector3d& point_in_map) const
 {
-	const VoxelBox box = statesIn(Eigen::AlignedBox3d(point_in_map, point_in_map));
-	return box.states.empty() ? VoxelState::unknown : box.states.front();
+	const Eigen::Array3d key = keyOf(point_in_map, m_config);
+	if (!(key >= 0.0 && key <= kLastKey).all()) return VoxelState::unknown;
+	return explore::stateOf(m_store.logOdds(key.cast<int>()));
 }
 
 VoxelState Occupancy::stateOf(const octomap::OcTreeKey& voxel) const
@@ -142,9 +149,8 @@ VoxelState Occupancy::stateOf(const octomap::OcTreeKey& voxel) const
 
 VoxelBox Occupancy::statesIn(const Eigen::AlignedBox3d& box_in_map) const
 {
-	const auto keys = [&](const Eigen::Vector3d& point) -> Eigen::Array3d
-	{ return (point.array() / m_config.resolution_m).floor() + kOriginKey; };
-	const Eigen::Array3d low = keys(box_in_map.min()).max(0.0), high = keys(box_in_map.max()).min(kLastKey);
+	const Eigen::Array3d low = keyOf(box_in_map.min(), m_config).max(0.0);
+	const Eigen::Array3d high = keyOf(box_in_map.max(), m_config).min(kLastKey);
 	VoxelBox box;
 	if (!(low <= high).all()) return box;
 	const GridKey first = low.cast<int>();

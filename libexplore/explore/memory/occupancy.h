@@ -33,7 +33,7 @@ struct VoxelBox
  * missed; a hit wins; pixels without return say nothing but for second_look.h. Same frames, same map, to the last bit.
  *
  *  Memory: the octree (16 bytes a node, grows with the space seen) and, of the blocks of 8³ voxels within the range of
- * the camera, 3.2 kB for each that holds anything: 20–30 MB at 5 cm and 5 m in a building. */
+ * the camera, 3.3 kB for each that holds anything: 20–30 MB at 5 cm and 5 m in a building. */
 class Occupancy
 {
 public:
