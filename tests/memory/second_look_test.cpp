@@ -1,6 +1,8 @@
 // Things that leave an open hall are forgotten; things that stay are not.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "map_scenes.h"
 
 namespace explore
@@ -146,7 +148,7 @@ TEST(SecondLook, WhatLiesInTheShadowOfANearThingStays)
 	for (std::uint32_t i = 0; i < 20; ++i) map.insert(viewFrom(furnishedHall(), 0.0, i));
 	const Keys standing = occupiedAboveFloor(map);
 	test::Scene with_person = furnishedHall();
-	with_person.box({1.0, -0.55, 0.85}, {0.2, 0.2, 1.7});
+	with_person.box({1.0, -0.30, 0.85}, {0.2, 0.2, 1.7});
 	for (std::uint32_t i = 0; i < 50; ++i)
 	{
 		DepthFrame frame = viewFrom(with_person, 0.0, 100 + i);
@@ -164,13 +166,52 @@ TEST(SecondLook, WhatLiesInTheShadowOfANearThingStays)
 	EXPECT_EQ(forgotten(map, standing), 0);
 }
 
-TEST(SecondLook, WhatReturnedLightFromNearerStays)
+/** What is forgotten of a person who stood 3 m before the robot, once it looks from elsewhere. */
+std::ptrdiff_t forgottenFrom(double x)
 {
 	Occupancy map({});
 	for (std::uint32_t i = 0; i < 20; ++i) map.insert(viewFrom(hallWithPerson(3.0, 0.0), 0.0, i));
 	const Keys standing = occupiedAboveFloor(map);
-	for (std::uint32_t i = 0; i < 50; ++i) map.insert(viewFrom(openHall(), -0.95, 100 + i));
-	EXPECT_EQ(forgotten(map, standing), 0);
+	for (std::uint32_t i = 0; i < 50; ++i) map.insert(viewFrom(openHall(), x, 100 + i));
+	return forgotten(map, standing);
+}
+
+TEST(SecondLook, WhatReturnedLightFromNearerStays)
+{
+	EXPECT_EQ(forgottenFrom(-0.6), 0);
+}
+
+TEST(SecondLook, WhatReturnedLightAtAnotherPlaceStays)
+{
+	EXPECT_EQ(forgottenFrom(1.2), 0);
+	EXPECT_GT(forgottenFrom(0.5), 100);
+}
+
+/** Log-odds of the lowest level's leaves by their keys. */
+std::map<std::array<int, 3>, float> logOddsOf(const octomap::OcTree& tree)
+{
+	std::map<std::array<int, 3>, float> values;
+	for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf)
+		if (const octomap::OcTreeKey key = leaf.getKey(); leaf.getDepth() == tree.getTreeDepth())
+			values[{key[0], key[1], key[2]}] = leaf->getLogOdds();
+	return values;
+}
+
+TEST(SecondLook, AFrameCountsOnce)
+{
+	const SensorModel model{OccupancyConfig{}};
+	Occupancy map({});
+	for (std::uint32_t i = 0; i < 8; ++i) map.insert(viewFrom(hallWithPerson(2.5, 0.0), 0.0, i));
+	for (std::uint32_t i = 0; i < 12; ++i)
+	{
+		const auto before = logOddsOf(map.tree());
+		map.insert(viewFrom(hallWithPerson(2.5, 0.03 * i), 0.0, 100 + i));
+		for (const auto& [key, after] : logOddsOf(map.tree()))
+			if (const auto then = before.find(key); then != before.end())
+			{
+				ASSERT_GT(after - then->second, model.miss - 1e-5F) << "frame " << i;
+			}
+	}
 }
 
 TEST(SecondLook, WhatStandsBehindOtherThingsOfTheMapStaysAsLongAsThoseDo)
