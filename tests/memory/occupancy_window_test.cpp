@@ -64,14 +64,14 @@ TEST(OccupancyWindow, StatesAreTheSameInsideAndOutside)
 	const VoxelBox box = map.statesIn({Eigen::Vector3d(-1, -2, -0.2), Eigen::Vector3d(15, 2, 2.6)});
 	const octomap::OcTree& tree = map.tree();
 	std::array<std::size_t, 3> count{};
+	std::size_t i = 0;  // x runs first, then y, then z
 	for (int z = 0; z < box.size.z(); ++z)
 		for (int y = 0; y < box.size.y(); ++y)
 			for (int x = 0; x < box.size.x(); ++x)
 			{
 				const auto key = [](int first, int i) { return static_cast<octomap::key_type>(first + i); };
 				const octomap::OcTreeKey voxel(key(box.first[0], x), key(box.first[1], y), key(box.first[2], z));
-				const VoxelState state =
-				    box.states[static_cast<std::size_t>((z * box.size.y() + y) * box.size.x() + x)];
+				const VoxelState state = box.states[i++];
 				const octomap::OcTreeNode* node = tree.search(voxel);
 				const VoxelState expected = node == nullptr             ? VoxelState::unknown
 				                            : tree.isNodeOccupied(node) ? VoxelState::occupied

@@ -79,7 +79,8 @@ TEST(ReachPyramid, FindsDarkPartsOfTheImage)
 	rays.height_px = 120;
 	rays.reach_m.assign(160 * 120 + FrameRays::kLanes, 2.0F);
 	for (int v = 40; v < 48; ++v)
-		for (int u = 80; u < 88; ++u) rays.reach_m[static_cast<std::size_t>(v * 160 + u)] = 0.0F;
+		for (int u = 80; u < 88; ++u)
+			rays.reach_m[160U * static_cast<std::size_t>(v) + static_cast<std::size_t>(u)] = 0.0F;
 	const ReachPyramid pyramid(rays);
 	EXPECT_TRUE(pyramid.anyDarkIn({70, 30, 100, 60}));
 	EXPECT_TRUE(pyramid.anyDarkIn({-1000, -1000, 1000, 1000}));

@@ -122,12 +122,17 @@ TEST(SecondLook, WhatStandsStillStaysThroughNoiseDropoutAndMotion)
 	EXPECT_EQ(forgotten(map, standing), 0);
 }
 
+float& pixelOf(DepthFrame& frame, int u, int v)
+{
+	const auto width = static_cast<std::size_t>(frame.image.intrinsics.width_px);
+	return frame.image.depth_m[static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u)];
+}
+
 /** Blanks what a thing nearer than the sensor's minimum range hides, and the pattern's shadow beside it. */
 DepthFrame blanked(DepthFrame frame, int u0, int u1, int v0)
 {
 	for (int v = v0; v < frame.image.intrinsics.height_px; ++v)
-		for (int u = u0; u < u1; ++u)
-			frame.image.depth_m[static_cast<std::size_t>(v * frame.image.intrinsics.width_px + u)] = 0.0F;
+		for (int u = u0; u < u1; ++u) pixelOf(frame, u, v) = 0.0F;
 	return frame;
 }
 
@@ -160,7 +165,7 @@ TEST(SecondLook, WhatLiesInTheShadowOfANearThingStays)
 				for (int k = 1; k < 24 && u + k < camera.width_px; ++k)
 					if (const float near_m = lit.at(u + k, v), far_m = lit.at(u, v);
 					    near_m > 0 && far_m > near_m + 0.3F && k <= 0.075 * camera.fx_px * (1 / near_m - 1 / far_m))
-						frame.image.depth_m[static_cast<std::size_t>(v * camera.width_px + u)] = 0.0F;
+						pixelOf(frame, u, v) = 0.0F;
 		map.insert(frame);
 	}
 	EXPECT_EQ(forgotten(map, standing), 0);

@@ -61,7 +61,7 @@ public:
 		EXPECT_EQ(white, 255);
 		EXPECT_TRUE(std::isspace(pgm.get()));
 		m_pixels.assign(std::istreambuf_iterator<char>(pgm), {});
-		EXPECT_EQ(m_pixels.size(), static_cast<std::size_t>(m_width * m_height));
+		EXPECT_EQ(m_pixels.size(), static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height));
 		std::sscanf(m_yaml.at("origin").c_str(), "[%lf, %lf", &m_x, &m_y);
 	}
 
@@ -72,8 +72,9 @@ public:
 		const int column = static_cast<int>(std::floor((x - m_x) / cell_m)),
 		          row = static_cast<int>(std::floor((y - m_y) / cell_m));
 		EXPECT_TRUE(column >= 0 && column < m_width && row >= 0 && row < m_height);
-		const int grey =
-		    static_cast<unsigned char>(m_pixels[static_cast<std::size_t>((m_height - 1 - row) * m_width + column)]);
+		const int grey = static_cast<unsigned char>(
+		    m_pixels[static_cast<std::size_t>(m_height - 1 - row) * static_cast<std::size_t>(m_width) +
+		             static_cast<std::size_t>(column)]);
 		const double occupancy = m_yaml.at("negate") == "0" ? (255 - grey) / 255.0 : grey / 255.0;
 		if (occupancy > std::stod(m_yaml.at("occupied_thresh"))) return 100;
 		return occupancy < std::stod(m_yaml.at("free_thresh")) ? 0 : -1;

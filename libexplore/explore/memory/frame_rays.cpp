@@ -26,7 +26,7 @@ void setOptics(FrameRays& rays, const CameraIntrinsics& camera)
 {
 	rays.width_px = camera.width_px;
 	rays.height_px = camera.height_px;
-	rays.left.assign(static_cast<std::size_t>(camera.width_px + FrameRays::kLanes),
+	rays.left.assign(static_cast<std::size_t>(camera.width_px) + FrameRays::kLanes,
 	                 std::numeric_limits<float>::quiet_NaN());
 	rays.up.resize(static_cast<std::size_t>(camera.height_px));
 	for (int u = 0; u < camera.width_px; ++u)

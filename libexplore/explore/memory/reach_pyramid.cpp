@@ -125,10 +125,12 @@ float ReachPyramid::farthestIn(const PixelRect& rect) const
 	if (part.u0 > part.u1 || part.v0 > part.v1) return 0.0F;
 	const CellRange cells = cellsOver(part);
 	float farthest_m = 0.0F;
-	for (int row = cells.first_row; row <= cells.last_row; ++row)
-		for (int column = cells.first_column; column <= cells.last_column; ++column)
-			farthest_m = farther(
-			    farthest_m, cells.level->farthest_m[static_cast<std::size_t>(row * cells.level->columns + column)]);
+	cells.forEach(
+	    [&](std::size_t i)
+	    {
+		    farthest_m = farther(farthest_m, cells.level->farthest_m[i]);
+		    return true;
+	    });
 	return farthest_m;
 }
 
@@ -137,11 +139,14 @@ bool ReachPyramid::anyDarkIn(const PixelRect& rect) const
 	const PixelRect part = inImage(rect);
 	if (part.u0 > part.u1 || part.v0 > part.v1) return false;
 	const CellRange cells = cellsOver(part);
-	for (int row = cells.first_row; row <= cells.last_row; ++row)
-		for (int column = cells.first_column; column <= cells.last_column; ++column)
-			if (cells.level->darkest_m[static_cast<std::size_t>(row * cells.level->columns + column)] <= 0.0F)
-				return true;
-	return false;
+	bool dark = false;
+	cells.forEach(
+	    [&](std::size_t i)
+	    {
+		    dark = cells.level->darkest_m[i] <= 0.0F;
+		    return !dark;
+	    });
+	return dark;
 }
 
 ReachPyramid::Around ReachPyramid::around(float radius_px) const

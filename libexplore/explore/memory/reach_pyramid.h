@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <vector>
 
@@ -68,6 +69,18 @@ private:
 	{
 		const Level* level;
 		int first_column, first_row, last_column, last_row;
+
+		/** Calls visit(index) for each, until it returns false. */
+		template <class Visit>
+		void forEach(const Visit& visit) const
+		{
+			for (int row = first_row; row <= last_row; ++row)
+				for (int column = first_column; column <= last_column; ++column)
+				{
+					const int index = row * level->columns + column;
+					if (!visit(static_cast<std::size_t>(index))) return;
+				}
+		}
 	};
 	static Level makeLevel(int columns, int rows, std::vector<float> farthest_m, std::vector<float> darkest_m);
 	/** The cells that a rectangle in the image, not empty, touches, of a level where they are few. */
