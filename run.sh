@@ -7,7 +7,7 @@ build=$root/build/release
 
 demo_packages=(
 	g++ cmake ninja-build ccache
-	libmrpt-nav-dev libeigen3-dev zlib1g-dev
+	libmrpt-nav-dev libeigen3-dev liboctomap-dev zlib1g-dev
 	libcli11-dev nlohmann-json3-dev
 )
 test_packages=("${demo_packages[@]}" libsdformat-dev libassimp-dev libembree-dev libgtest-dev libgmock-dev mrpt-common)
@@ -84,7 +84,7 @@ apt_install()
 install_packages()
 {
 	if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-		fail "this is no Debian system. Install MRPT >= 2.5 (obs, nav, config, system), Eigen 3, zlib, CLI11," \
+		fail "this is no Debian system. Install MRPT >= 2.5 (obs, nav, config, system), Eigen 3, OctoMap 1.9, zlib, CLI11," \
 			"nlohmann-json and GoogleTest your own way, then: cmake --preset release && cmake --build --preset release"
 	fi
 	local -a missing

@@ -2,7 +2,7 @@
 #include <explore/simulation/noise_random.h>
 #include <explore/simulation/noise_samples.h>
 #include <explore/simulation/parallel_rows.h>
-#include <explore/simulation/vector_code.h>
+#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <explore/simulation/projector_shadow.h>
 #include <explore/simulation/sensor_view.h>
 #include <explore/simulation/sight.h>
-#include <explore/simulation/vector_code.h>
+#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cmath>

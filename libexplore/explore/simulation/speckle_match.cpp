@@ -2,7 +2,7 @@
 #include <explore/simulation/speckle_contrast.h>
 #include <explore/simulation/speckle_match.h>
 #include <explore/simulation/speckle_pattern.h>
-#include <explore/simulation/vector_code.h>
+#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cstddef>
