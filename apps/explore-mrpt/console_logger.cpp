@@ -1,6 +1,7 @@
 #include <explore-mrpt/console_logger.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace explore::app
@@ -41,12 +42,20 @@ std::string_view withoutLineEnd(std::string_view text)
 }  // namespace
 
 ConsoleLogger::ConsoleLogger(const Options& options)
-    : COutputLogger("explore-mrpt"), m_status(styleFor(options), [](std::string_view text) { std::cerr << text; })
+    : COutputLogger("explore-mrpt"),
+      m_status(styleFor(options), [](std::string_view text) { std::cerr << text; }),
+      m_shown(levelFor(options))
 {
 	logging_enable_console_output = false;
-	setMinLoggingLevel(levelFor(options));
+	setMinLoggingLevel(std::min(m_shown, mrpt::system::LVL_WARN));
 	logRegisterCallback([this](std::string_view message, mrpt::system::VerbosityLevel level,
 	                           std::string_view /*logger*/, mrpt::Clock::time_point /*time*/)
-	                    { m_status.log(std::string(nameOf(level)) + std::string(withoutLineEnd(message))); });
+	                    { take(withoutLineEnd(message), level); });
+}
+
+void ConsoleLogger::take(std::string_view message, mrpt::system::VerbosityLevel level)
+{
+	if (level == mrpt::system::LVL_WARN) m_warnings.emplace_back(message);
+	if (level >= m_shown) m_status.log(std::string(nameOf(level)).append(message));
 }
 }  // namespace explore::app

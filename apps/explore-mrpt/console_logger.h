@@ -1,9 +1,12 @@
-// Log messages of the library and the program, and the progress, on standard error.
+// Log messages of the library and the program, and the progress, on standard error; warnings are kept for the summary.
 #pragma once
 
 #include <explore-mrpt/options.h>
 #include <explore/sinks/progress.h>
 #include <mrpt/system/COutputLogger.h>
+
+#include <string>
+#include <vector>
 
 namespace explore::app
 {
@@ -14,8 +17,14 @@ public:
 	explicit ConsoleLogger(const Options& options);
 
 	[[nodiscard]] StatusLine& status() { return m_status; }
+	/** All warnings so far in their order, shown or not. */
+	[[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
 private:
+	void take(std::string_view message, mrpt::system::VerbosityLevel level);
+
 	StatusLine m_status;
+	mrpt::system::VerbosityLevel m_shown;  ///< this and all above
+	std::vector<std::string> m_warnings;
 };
 }  // namespace explore::app

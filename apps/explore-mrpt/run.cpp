@@ -2,6 +2,7 @@
 #include <common/input_paths.h>
 #include <common/mounted_source.h>
 #include <explore-mrpt/console_logger.h>
+#include <explore-mrpt/depth_check.h>
 #include <explore-mrpt/interrupt.h>
 #include <explore-mrpt/run.h>
 #include <explore-mrpt/run_outputs.h>
@@ -18,7 +19,8 @@ struct Run
 	const AppConfig& config;
 	FrameSource& source;
 	RunOutputs& outputs;
-	StatusLine& status;
+	ConsoleLogger& logger;
+	DepthCheck depth_check;
 	TimingRecord timing;
 	RunTally tally;
 };
@@ -39,6 +41,7 @@ bool exploreOneFrame(Run& run, ExplorerState& state)
 	run.outputs.writeTimes(frame->index, clock.times());
 	run.timing.add(clock.times());
 	run.tally.add(*frame, result);
+	if (const auto remark = run.depth_check.look(*frame)) run.logger.logStr(mrpt::system::LVL_WARN, *remark);
 	return true;
 }
 
@@ -57,7 +60,7 @@ std::string exploreAll(Run& run)
 		if (run.options.max_frames && run.tally.frames >= *run.options.max_frames) return "max frames";
 		if (!exploreOneFrame(run, state)) return run.source.report().damage.empty() ? "log ended" : "input damaged";
 		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-		run.status.update(progressOf(run), elapsed.count());
+		run.logger.status().update(progressOf(run), elapsed.count());
 	}
 	return "interrupted";
 }
@@ -74,6 +77,7 @@ RunSummary summaryOf(const Run& run, const std::string& reason)
 	        run.options.ini,
 	        inputSummary(run.source.report()),
 	        run.tally,
+	        run.logger.warnings(),
 	        reason,
 	        run.timing.statistics(),
 	        peakResidentMegabytes()};
@@ -85,14 +89,14 @@ RunSummary exploreAndSum(Run& run)
 	try
 	{
 		const std::string reason = exploreAll(run);
-		run.status.finish();
+		run.logger.status().finish();
 		RunSummary summary = summaryOf(run, reason);
 		run.outputs.finish(summary);
 		return summary;
 	}
 	catch (const std::exception& error)
 	{
-		run.status.finish();
+		run.logger.status().finish();
 		try
 		{
 			run.outputs.finish(summaryOf(run, std::string("error: ") + error.what()));
@@ -148,7 +152,7 @@ int run(const Options& options)
 	ConsoleLogger logger(options);
 	const auto source = openSource(loaded, options, logger);
 	RunOutputs outputs(options, loaded.config);
-	Run run{options, loaded.config, *source, outputs, logger.status(), {}, {}};
+	Run run{options, loaded.config, *source, outputs, logger, DepthCheck(loaded.config.explorer), {}, {}};
 	const RunSummary summary = exploreAndSum(run);
 	const bool wants_summary = !options.quiet && !options.toStandardOutput();
 	if (wants_summary) print(summaryText(summary) + "  results in " + options.out + "\n");

@@ -1,6 +1,5 @@
 // explore-eval compare and gallery, and the scripts that run many configurations.
 #include "apps/eval_fixture.h"
-#include "apps/program.h"
 
 #include <explore/evaluation/truth_file.h>
 #include <gmock/gmock.h>
@@ -9,26 +8,13 @@
 #include <algorithm>
 
 using namespace explore;
-using testing::AllOf;
+using test::exploreEval;
 using testing::HasSubstr;
-using testing::Not;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 namespace
 {
-test::ProgramResult run(const std::string& program, const std::vector<std::string>& arguments)
-{
-	return test::Program(program, arguments, {}).wait();
-}
-
-/** Logs are scored with the paper's method, whose results these tests know. */
-test::ProgramResult exploreEval(std::vector<std::string> arguments)
-{
-	if (arguments[0].ends_with(".rawlog")) arguments.insert(arguments.end(), {"--set", "perception.method=paper"});
-	return run(EXPLORE_EVAL_PROGRAM, arguments);
-}
-
 /** A script of apps/explore-eval, with the programs of this build. */
 test::ProgramResult runScript(const std::string& name, std::vector<std::string> arguments)
 {
@@ -36,7 +22,7 @@ test::ProgramResult runScript(const std::string& name, std::vector<std::string> 
 	std::vector<std::string> all{"EXPLORE_EVAL=" EXPLORE_EVAL_PROGRAM, "EXPLORE_MRPT=" EXPLORE_MRPT_PROGRAM,
 	                             script.string()};
 	all.insert(all.end(), arguments.begin(), arguments.end());
-	return run("/usr/bin/env", all);
+	return test::Program("/usr/bin/env", all, {}).wait();
 }
 
 /** Four doors of 0.95 m. */
@@ -63,7 +49,7 @@ TEST(EvalCompare, TellsWhatAnotherConfigurationChanges)
 	const auto result = exploreEval({"compare", out("base"), out("wide"), out("base"), "--out", out("compared")});
 	EXPECT_EQ(result.exit_code, 0) << result.err;
 	EXPECT_EQ(result.out, test::readFile(folder / "compared" / "compare.txt"));
-	EXPECT_THAT(result.out, AllOf(HasSubstr("wide perception.min_gap=1.1"), HasSubstr("-100.00")));
+	EXPECT_THAT(result.out, testing::AllOf(HasSubstr("wide perception.min_gap=1.1"), HasSubstr("-100.00")));
 	const Json json = Json::parse(test::readFile(folder / "compared" / "compare.json"));
 	EXPECT_EQ(figure(json, 0, "recall")["base"], 1.0);
 	EXPECT_EQ(figure(json, 0, "recall")["difference"], -1.0);
@@ -107,7 +93,8 @@ TEST(EvalCompare, TheScriptRunsEachSetOnce)
 	result = runScript("compare_sets.sh", {"-c", "recall=1", (folder / "sets.txt").string(), out.string(), log, "--set",
 	                                       "perception.method=paper"});
 	EXPECT_EQ(result.exit_code, 1) << result.err;
-	EXPECT_THAT(result.err, AllOf(HasSubstr("costs too much: wide"), Not(HasSubstr("run wide")))) << "is there already";
+	EXPECT_THAT(result.err, testing::AllOf(HasSubstr("costs too much: wide"), testing::Not(HasSubstr("run wide"))))
+	    << "is there already";
 	EXPECT_EQ(runScript("compare_sets.sh", {}).exit_code, 2);
 }
 
@@ -120,13 +107,14 @@ TEST(EvalCompare, ThresholdsAreScaledWithinTheirBounds)
 	EXPECT_EQ(lines[0], "base");
 	EXPECT_THAT(lines, testing::Contains("max_range_x0.8 perception.max_range=4"));
 	EXPECT_THAT(lines, testing::Contains("max_range_x1.2 perception.max_range=6"));
-	EXPECT_THAT(result.out, AllOf(Not(HasSubstr("seed")), Not(HasSubstr("scan_height")), Not(HasSubstr("alpha"))));
+	EXPECT_THAT(result.out, testing::AllOf(testing::Not(HasSubstr("seed")), testing::Not(HasSubstr("scan_height")),
+	                                       testing::Not(HasSubstr("alpha"))));
 	// Each is accepted as it stands, also where a factor leads out of its bounds.
 	const auto extreme = test::linesOf(runScript("scaled_sets.sh", {"corridor.ini", "0.0001", "10000"}).out);
 	for (std::size_t i = 1; i < extreme.size(); ++i)
 	{
 		const std::string setting = extreme[i].substr(extreme[i].find(' ') + 1);
-		EXPECT_EQ(run(EXPLORE_MRPT_PROGRAM, {"--ini", "corridor.ini", "--dump-config", "--set", setting}).exit_code, 0)
+		EXPECT_EQ(test::exploreMrpt({"--ini", "corridor.ini", "--dump-config", "--set", setting}).exit_code, 0)
 		    << setting;
 	}
 }

@@ -102,9 +102,16 @@ std::filesystem::path writeScoredLog(const std::filesystem::path& folder, const 
 		frames.push_back(std::move(frame));
 		truth.frames.push_back(std::move(truth_frame));
 	}
-	const auto log = folder / (name + ".rawlog");
+	auto log = folder / (name + ".rawlog");
 	writeRawlog(log, frames);
 	evaluation::writeTruth(evaluation::truthPathOf(log), truth);
 	return log;
+}
+
+ProgramResult exploreEval(std::vector<std::string> arguments, const Program::Setup& setup)
+{
+	if (!arguments.empty() && arguments[0].ends_with(".rawlog"))
+		arguments.insert(arguments.end(), {"--set", "perception.method=paper"});
+	return Program(EXPLORE_EVAL_PROGRAM, arguments, setup).wait();
 }
 }  // namespace explore::test

@@ -1,6 +1,7 @@
 // Logs with truth made by hand: rooms of rectangles, rendered ray by ray, and what is truly in them.
 #pragma once
 
+#include "apps/program.h"
 #include "support/analytic_scene.h"
 
 #include <explore/core/truth.h>
@@ -25,6 +26,9 @@ struct DoorScene
  *  wall or pass through the door. Returns the log's path. */
 std::filesystem::path writeScoredLog(const std::filesystem::path& folder, const std::string& name,
                                      const std::vector<DoorScene>& scenes, const TruthLog& head);
+
+/** Runs explore-eval to its end. Logs are scored with the paper's method, whose results the tests know. */
+ProgramResult exploreEval(std::vector<std::string> arguments, const Program::Setup& setup = {});
 
 /** A TruthLog without frames: ground robot, family and configuration as given. */
 TruthLog headOf(const std::string& family, const std::string& configuration, bool negative = false);

@@ -1,5 +1,4 @@
 #include "apps/eval_fixture.h"
-#include "apps/program.h"
 #include "apps/rawlog_maker.h"
 
 #include <explore/evaluation/eval_file.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 
 using namespace explore;
+using test::exploreEval;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -18,14 +18,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Logs are scored with the paper's method, whose results these tests know. */
-test::ProgramResult exploreEval(std::vector<std::string> arguments, const test::Program::Setup& setup = {})
-{
-	if (!arguments.empty() && arguments[0].ends_with(".rawlog"))
-		arguments.insert(arguments.end(), {"--set", "perception.method=paper"});
-	return test::Program(EXPLORE_EVAL_PROGRAM, arguments, setup).wait();
-}
-
 /** Two families with doors, one without; the second has a door that the truth does not know and one too narrow. */
 std::vector<std::string> threeLogs(const fs::path& folder)
 {

@@ -1,7 +1,9 @@
-// Time per VGA frame: step() as a whole, each of its stages, and the same pipeline on PCL where that is built in.
+// Time per VGA frame of method = paper: step() as a whole, each of its stages, and the same pipeline on PCL where that
+// is built in. full_bench.cpp adds method = full.
 #include "corridor_frames.h"
 
 #ifdef EXPLORE_HAVE_PCL
+#include "compare_with_pcl.h"
 #include "paper_with_pcl.h"
 #endif
 
@@ -12,12 +14,7 @@
 #include <explore/pipeline/explorer.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <ctime>
 #include <iterator>
-#include <map>
-#include <string>
-#include <string_view>
 #include <vector>
 
 using namespace explore;
@@ -197,80 +194,6 @@ void wholeStepWithPcl(benchmark::State& state)
 	overFrames(state, [](std::size_t i) { return test::exploreWithPcl(frames()[i], config()); });
 }
 BENCHMARK(wholeStepWithPcl)->Unit(benchmark::kMillisecond);
-
-double median(std::vector<double> values)
-{
-	const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-	std::ranges::nth_element(values, middle);
-	return *middle;
-}
-
-/** Milliseconds per stage and in total, over many frames; its `ended` goes into a pipeline. */
-class StageTimes
-{
-public:
-	template <class Work>
-	void measure(const Work& work)
-	{
-		m_start_ms = m_last_ms = now();
-		work([this](std::string_view stage) { add(stage, m_last_ms); });
-		add("total", m_start_ms);
-	}
-
-	[[nodiscard]] double medianOf(const std::string& stage) const { return median(m_times_ms.at(stage)); }
-
-	void print(const char* title) const
-	{
-		std::printf("%s, median processor ms:", title);
-		for (const std::string& stage : m_order) std::printf("  %s %.2f", stage.c_str(), medianOf(stage));
-		std::printf("\n");
-	}
-
-private:
-	/** Processor time of this thread [ms]: what other programs do on the machine does not count. */
-	static double now()
-	{
-		timespec time{};
-		clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-		return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-	}
-
-	void add(std::string_view stage, double since_ms)
-	{
-		const double now_ms = now();
-		const std::string name(stage);
-		if (!m_times_ms.contains(name)) m_order.push_back(name);
-		m_times_ms[name].push_back(now_ms - since_ms);
-		m_last_ms = now();
-	}
-
-	double m_start_ms = 0, m_last_ms = 0;
-	std::vector<std::string> m_order;
-	std::map<std::string, std::vector<double>> m_times_ms;
-};
-
-/** Both pipelines on every frame in turn, several times over, so that whatever slows the machine slows both. */
-void compareWithPcl()
-{
-	constexpr int kRounds = 9;
-	StageTimes ours, peer;
-	for (int round = 0; round < kRounds; ++round)
-		for (const DepthFrame& frame : frames())
-		{
-			ours.measure(
-			    [&](const StageEnded& ended)
-			    {
-				    ExplorerState state;
-				    benchmark::DoNotOptimize(step(frame, state, config(), ended));
-			    });
-			peer.measure([&](const StageEnded& ended)
-			             { benchmark::DoNotOptimize(test::exploreWithPcl(frame, config(), ended)); });
-		}
-	peer.print("PCL");
-	ours.print("explore");
-	std::printf("%zu frames, one core: PCL takes %.1f times as long\n", kRounds * frames().size(),
-	            peer.medianOf("total") / ours.medianOf("total"));
-}
 #endif
 }  // namespace
 
@@ -282,7 +205,7 @@ int main(int argc, char** argv)
 	prepared();  // rendering the frames is nobody's time
 	benchmark::RunSpecifiedBenchmarks();
 #ifdef EXPLORE_HAVE_PCL
-	compareWithPcl();
+	test::compareWithPcl(frames(), config());
 #endif
 	return 0;
 }

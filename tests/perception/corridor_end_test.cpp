@@ -1,24 +1,14 @@
 #include <explore/perception/corridor_end.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 #include "corridor_views.h"
 
-namespace explore
+namespace explore::test
 {
 namespace
 {
-using test::bothWalls;
-using test::CameraPlace;
-using test::CorridorView;
-using test::Scene;
-using test::sideWalls;
-using test::viewOf;
-
-constexpr double kDegree = std::numbers::pi / 180;
-
 std::vector<CorridorEnd> endsOf(const CorridorView& view, const std::vector<UprightWall>& walls)
 {
 	return findCorridorEnds(corridorPairs(view.level, walls, {}, {}), {});
@@ -34,30 +24,18 @@ Scene corridorIntoHall(double width_m, double end_m)
 	return scene.wall({end_m + 4, -4}, {end_m + 4, 4}, 2.6);
 }
 
-test::CameraNoise sensorNoise(std::uint32_t seed, double max_depth_m = 8.0)
-{
-	test::CameraNoise noise;
-	noise.axial_scale = 1.0;
-	noise.dropout_share = 0.05;
-	noise.max_depth_m = max_depth_m;
-	noise.seed = seed;
-	return noise;
-}
-
 TEST(CorridorEnd, IsPlacedAtTheWallsEnds)
 {
 	std::mt19937 random(7);
-	const auto uniform = [&](double from, double to)
-	{ return from + (to - from) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()); };
 	for (std::uint32_t run = 0; run < 12; ++run)
 	{
-		const double width = uniform(1.0, 2.4), end = uniform(1.5 * width + 0.3, 4.7);
+		const double width = uniform(random, 1.0, 2.4), end = uniform(random, 1.5 * width + 0.3, 4.7);
 		const CameraPlace place{0,
-		                        uniform(-0.15, 0.15) * width,
-		                        uniform(0.4, 1.4),
-		                        uniform(-6, 6) * kDegree,
-		                        uniform(-6, 6) * kDegree,
-		                        uniform(-10, 10) * kDegree};
+		                        uniform(random, -0.15, 0.15) * width,
+		                        uniform(random, 0.4, 1.4),
+		                        uniform(random, -6, 6) * kDegree,
+		                        uniform(random, -6, 6) * kDegree,
+		                        uniform(random, -10, 10) * kDegree};
 		const auto view = viewOf(corridorIntoHall(width, end), place, sensorNoise(run));
 		const auto ends = endsOf(*view, bothWalls(*view, width, width, end, 0.5 * kDegree, -0.5 * kDegree));
 		ASSERT_EQ(ends.size(), 1U) << run;
@@ -157,4 +135,4 @@ TEST(CorridorEnd, WhatStandsInItLeavesLessClearWidth)
 	EXPECT_NEAR(ends[0].clear_width_m, 1.35, 0.12);
 }
 }  // namespace
-}  // namespace explore
+}  // namespace explore::test

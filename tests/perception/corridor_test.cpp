@@ -1,24 +1,14 @@
 #include <explore/perception/corridor.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 #include "corridor_views.h"
 
-namespace explore
+namespace explore::test
 {
 namespace
 {
-using test::bothWalls;
-using test::CameraPlace;
-using test::CorridorView;
-using test::Scene;
-using test::sideWalls;
-using test::viewOf;
-
-constexpr double kDegree = std::numbers::pi / 180;
-
 std::optional<CorridorSeen> seen(const CorridorView& view, const std::vector<UprightWall>& walls,
                                  const CorridorConfig& config = {})
 {
@@ -30,20 +20,6 @@ double errorOf(const CorridorSeen& corridor, const CorridorView& view)
 {
 	const Eigen::Vector2d in_map = view.level_from_map.linear().transpose() * corridor.direction;
 	return std::atan2(std::abs(in_map.y()), in_map.x()) / kDegree;
-}
-
-test::CameraNoise sensorNoise(std::uint32_t seed)
-{
-	test::CameraNoise noise;
-	noise.axial_scale = 1.0;
-	noise.dropout_share = 0.05;
-	noise.seed = seed;
-	return noise;
-}
-
-double uniform(std::mt19937& random, double from, double to)
-{
-	return from + (to - from) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
 }
 
 TEST(Corridor, DirectionIsBetterThanThatOfItsWalls)
@@ -206,4 +182,4 @@ TEST(Corridor, VanishingPointIsInTheRobotFrameAtTheCamerasHeight)
 	EXPECT_EQ(point.inliers, 77U);
 }
 }  // namespace
-}  // namespace explore
+}  // namespace explore::test

@@ -7,12 +7,33 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <random>
 #include <vector>
 
 #include "support/analytic_scene.h"
 
 namespace explore::test
 {
+inline constexpr double kDegree = std::numbers::pi / 180;
+
+/** Noise and gaps of a Kinect. */
+inline CameraNoise sensorNoise(std::uint32_t seed, double max_depth_m = 8.0)
+{
+	CameraNoise noise;
+	noise.axial_scale = 1.0;
+	noise.dropout_share = 0.05;
+	noise.max_depth_m = max_depth_m;
+	noise.seed = seed;
+	return noise;
+}
+
+/** The same with every standard library. */
+inline double uniform(std::mt19937& random, double from, double to)
+{
+	return from + (to - from) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+}
+
 /** A camera's place in the map, where corridors lead along x. */
 struct CameraPlace
 {

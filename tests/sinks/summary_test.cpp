@@ -29,6 +29,7 @@ RunSummary someSummary()
 	    false};
 	summary.tally.add(frameAt(0, 0, 0), test::fullResult());
 	summary.tally.add(frameAt(3, 4, 2.5), StepResult{});
+	summary.warnings = {"the floor is not there", "walls look bent"};
 	summary.reason = "input damaged";
 	summary.timing = {{"perceive", {5.0, 9.0}}, {"total", {6.0, 10.0}}};
 	summary.peak_rss_mb = 42.5;
@@ -50,6 +51,7 @@ TEST(Summary, CarriesWhatTheContractNames)
 	EXPECT_EQ(document["frames_with_ground"], 1);
 	EXPECT_EQ(document["frames_with_door"], 1);
 	EXPECT_EQ(document["frames_stopped"], 0);
+	EXPECT_EQ(document["warnings"], json::parse(R"(["the floor is not there","walls look bent"])"));
 	EXPECT_EQ(document["timing_ms"], json::parse(R"({"perceive":{"median":5,"p99":9},"total":{"median":6,"p99":10}})"));
 	EXPECT_EQ(document["peak_rss_mb"], 42.5);
 }
@@ -69,6 +71,7 @@ TEST(Summary, RunWithoutFramesOrPoses)
 	EXPECT_TRUE(document["exploration"]["time_s"].is_null());
 	EXPECT_TRUE(document["config"].is_null());
 	EXPECT_EQ(document["timing_ms"], json::object());
+	EXPECT_EQ(document["warnings"], json::array());
 
 	DepthFrame without_pose;
 	summary.tally.add(without_pose, StepResult{});

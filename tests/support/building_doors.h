@@ -3,6 +3,7 @@
 
 #include "support/building_plan.h"
 
+#include <functional>
 #include <optional>
 
 namespace explore::test
@@ -37,6 +38,8 @@ public:
 	bool dropDoor(BuildingWall& wall, int stairs_side);
 
 private:
+	/** Near what the robots need (0.54 m and 0.70 m): whether they fit would be a matter of millimetres. */
+	[[nodiscard]] static bool doubtful(double clear_m);
 	[[nodiscard]] Opening basic(double width_m);
 	void chooseState(Opening& opening, const BuildingWall& wall);
 	void hangLeaf(Opening& opening, const BuildingWall& wall);
@@ -44,10 +47,9 @@ private:
 	[[nodiscard]] std::optional<double> freeMiddle(const BuildingWall& wall, double width_m, bool corner);
 	/** From its jambs to the walls across on the leaf's side, and so where there is place for casings. */
 	void measureCorners(const BuildingWall& wall, Opening& opening) const;
-	[[nodiscard]] bool fits(const BuildingWall& wall, const Opening& opening) const;
+	[[nodiscard]] bool fits(const BuildingWall& wall, const Opening& whole) const;
 	/** Tries until place and state fit. */
-	template <class MakeOpening>
-	bool hang(BuildingWall& wall, const MakeOpening& make);
+	bool hang(BuildingWall& wall, const std::function<Opening()>& make);
 	void take(BuildingWall& wall, Opening opening);
 
 	Plan& m_plan;

@@ -4,7 +4,6 @@
 #include "support/building_sketch.h"
 
 #include <array>
-#include <vector>
 
 namespace explore::test
 {
@@ -23,9 +22,6 @@ enum class Filling
 	window,
 	niche
 };
-
-/** A rectangle on the floor plan: corners in order. */
-using Footprint = std::array<Eigen::Vector2d, 4>;
 
 struct Opening
 {
@@ -58,21 +54,6 @@ struct WallFrame
 	double thickness_m = 0.12, height_m = 2.6;
 };
 
-inline constexpr double kLeaf_m = 0.04;
-
-/** What is left beside a bolted leaf; any other opening as it is. */
-Opening movingPartOf(const Opening& opening);
-/** Where the leaves stand, wall axes: x from the wall's start, y to its left. Empty for an opening without. */
-std::vector<Footprint> leavesOf(const Opening& opening, double thickness_m);
-/** The diameter of the widest upright disc that gets past leaves, stops, casings and walls across (no people or boxes).
- */
-double clearWidthOf(const Opening& opening, double thickness_m);
-/** Distance of two convex footprints; 0 where they overlap. */
-double distanceOf(const Footprint& a, const Footprint& b);
-
 /** The opening's part of the wall (above, below and within it), what fills it, and its label where it is a door. */
 void buildOpening(Sketch& sketch, const WallFrame& wall, const Opening& opening, Dice& dice);
-
-/** Somebody who stands there. */
-void buildPerson(Sketch& sketch, const Place& place, const std::string& name, Dice& dice);
 }  // namespace explore::test

@@ -217,4 +217,20 @@ void buildAlcove(Sketch& sketch, const Place& place, const PlanSize& size, doubl
 			sketch.block("board", Look::wood, place, {-x, shift - 0.5 * opening_m, z},
 			             {x - 0.05, shift + 0.5 * opening_m, z + 0.02});
 }
+
+void buildPerson(Sketch& sketch, const Place& place, const std::string& name, Dice& dice)
+{
+	const double height = dice.between(1.65, 1.9), wide = dice.between(0.9, 1.1);
+	for (const double side : {-1.0, 1.0})
+	{
+		sketch.cylinder(name, Look::fabric, place, {0, side * 0.10 * wide, 0.25 * height}, 0.07 * wide, 0.46 * height);
+		sketch.box(name, Look::metal, place, {0.05, side * 0.10 * wide, 0.04}, {0.26, 0.09, 0.08});
+		sketch.capsule(name, Look::fabric, place, {0, side * 0.21 * wide, 0.63 * height}, 0.045, 0.30 * height);
+	}
+	sketch.capsule(name, Look::fabric, place, {0, 0, 0.64 * height}, 0.15 * wide, 0.20 * height);
+	sketch.box(name, Look::fabric, place, {0, 0, 0.76 * height}, {0.18, 0.40 * wide, 0.12 * height});
+	sketch.cylinder(name, Look::skin, place, {0, 0, 0.85 * height}, 0.05, 0.06 * height);
+	sketch.sphere(name, Look::skin, place, {0, 0, 0.93 * height}, 0.07 * height / 1.0);
+	sketch.obstacles.push_back({"person", place.origin, 0.25, height});
+}
 }  // namespace explore::test

@@ -1,7 +1,9 @@
-// Single pieces of furniture, each around the origin of its place: x to its front, y to its left.
+// Single pieces of furniture and people, each around the origin of its place: x to its front, y to its left.
 #pragma once
 
 #include "support/building_sketch.h"
+
+#include <string>
 
 namespace explore::test
 {
@@ -25,4 +27,6 @@ void buildPallet(Sketch& sketch, const Place& place, Dice& dice);
 /** Two pilasters and a header: an alcove of a door's size before the wall. */
 void buildAlcove(Sketch& sketch, const Place& place, const PlanSize& size, double opening_m, double ceiling_m,
                  Dice& dice);
+/** Somebody who stands there. */
+void buildPerson(Sketch& sketch, const Place& place, const std::string& name, Dice& dice);
 }  // namespace explore::test

@@ -1,8 +1,6 @@
 #include "support/building_plan.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace explore::test
@@ -10,6 +8,28 @@ namespace explore::test
 namespace
 {
 using Eigen::Vector2d;
+
+struct Range
+{
+	double low, high;
+};
+
+/** Heights of rooms and thicknesses of walls of one kind of building [m]. */
+struct PlanRanges
+{
+	Range height_m, outer_m, inner_m, corridor_m;
+};
+
+Plan emptyPlan(const PlanRanges& ranges, Dice& dice)
+{
+	const auto drawn = [&dice](const Range& range) { return dice.between(range.low, range.high); };
+	Plan plan;
+	plan.height_m = drawn(ranges.height_m);
+	plan.outer_m = drawn(ranges.outer_m);
+	plan.inner_m = drawn(ranges.inner_m);
+	plan.corridor_m = drawn(ranges.corridor_m);
+	return plan;
+}
 
 void addRoom(Plan& plan, Use use, double x0, double y0, double x1, double y1)
 {
@@ -41,11 +61,7 @@ void splitArea(Plan& plan, const Area& area, double wanted_m2, double narrowest_
 
 Plan houseOf(Dice& dice)
 {
-	Plan plan;
-	plan.height_m = dice.between(2.35, 2.9);
-	plan.outer_m = dice.between(0.24, 0.40);
-	plan.inner_m = dice.between(0.07, 0.15);
-	plan.corridor_m = dice.between(0.10, 0.24);
+	Plan plan = emptyPlan({{2.35, 2.9}, {0.24, 0.40}, {0.07, 0.15}, {0.10, 0.24}}, dice);
 	splitArea(plan, Area(Vector2d(0, 0), Vector2d(dice.between(11, 15), dice.between(9, 12))), 15, 2.0, dice);
 	std::vector<Room*> by_size;
 	for (Room& room : plan.rooms) by_size.push_back(&room);
@@ -115,11 +131,7 @@ void turnSomeToStairs(Plan& plan, Dice& dice)
 
 Plan officeOf(Dice& dice)
 {
-	Plan plan;
-	plan.height_m = dice.between(2.5, 3.2);
-	plan.outer_m = dice.between(0.25, 0.40);
-	plan.inner_m = dice.between(0.08, 0.14);
-	plan.corridor_m = dice.between(0.10, 0.20);
+	Plan plan = emptyPlan({{2.5, 3.2}, {0.25, 0.40}, {0.08, 0.14}, {0.10, 0.20}}, dice);
 	const double end = dice.chance(0.5) ? dice.between(8.5, 10) : 0;
 	addSpine(plan,
 	         {dice.between(15, 22), dice.between(1.6, 2.5), dice.between(4, 6.5), 2.6, 6.0, dice.between(5, 8), end},
@@ -130,11 +142,7 @@ Plan officeOf(Dice& dice)
 
 Plan schoolOf(Dice& dice)
 {
-	Plan plan;
-	plan.height_m = dice.between(2.9, 3.6);
-	plan.outer_m = dice.between(0.30, 0.40);
-	plan.inner_m = dice.between(0.14, 0.24);
-	plan.corridor_m = dice.between(0.20, 0.36);
+	Plan plan = emptyPlan({{2.9, 3.6}, {0.30, 0.40}, {0.14, 0.24}, {0.20, 0.36}}, dice);
 	addSpine(
 	    plan, {dice.between(24, 30), dice.between(2.5, 3.6), dice.between(6.5, 7.5), 3.2, 9.0, dice.between(7, 10), 0},
 	    {Use::classroom, Use::classroom, Use::classroom, Use::storage, Use::office, Use::bath}, dice.chance(0.5), dice);
@@ -158,11 +166,7 @@ void addGuestRoom(Plan& plan, double x0, double x1, double near_y, double far_y,
 
 Plan hotelOf(Dice& dice)
 {
-	Plan plan;
-	plan.height_m = dice.between(2.4, 2.8);
-	plan.outer_m = dice.between(0.24, 0.36);
-	plan.inner_m = dice.between(0.10, 0.20);
-	plan.corridor_m = dice.between(0.15, 0.25);
+	Plan plan = emptyPlan({{2.4, 2.8}, {0.24, 0.36}, {0.10, 0.20}, {0.15, 0.25}}, dice);
 	const double half = 0.5 * dice.between(1.6, 2.1), far = half + dice.between(6, 7.5), hall = dice.between(5, 8);
 	const int modules = dice.whole(4, 5);
 	const double width = dice.between(3.5, 4.3), end = hall + modules * width;
@@ -183,11 +187,7 @@ Plan hotelOf(Dice& dice)
 
 Plan warehouseOf(Dice& dice)
 {
-	Plan plan;
-	plan.height_m = dice.between(4.5, 6.5);
-	plan.outer_m = dice.between(0.20, 0.40);
-	plan.inner_m = dice.between(0.10, 0.24);
-	plan.corridor_m = dice.between(0.12, 0.24);
+	Plan plan = emptyPlan({{4.5, 6.5}, {0.20, 0.40}, {0.10, 0.24}, {0.12, 0.24}}, dice);
 	const double long_m = dice.between(18, 26), wide_m = dice.between(13, 18), strip = dice.between(4, 5);
 	addRoom(plan, Use::warehouse, 0, 0, long_m, wide_m);
 	addRow(plan, {0, long_m, 0, -strip}, 2.8, 6.5, {Use::office, Use::storage, Use::storage, Use::bath, Use::meeting},
@@ -195,79 +195,6 @@ Plan warehouseOf(Dice& dice)
 	if (dice.chance(0.7)) addRoom(plan, Use::warehouse, long_m, 0, long_m + dice.between(8, 11), wide_m);
 	turnSomeToStairs(plan, dice);
 	return plan;
-}
-
-struct Line
-{
-	bool along_x;
-	double at;
-	bool operator<(const Line& other) const
-	{
-		return along_x != other.along_x ? along_x < other.along_x : at < other.at;
-	}
-};
-
-Line lineAt(bool along_x, double at)
-{
-	return {along_x, std::round(at * 1e6) / 1e6};
-}
-
-/** A wall on an axis line from `from` to `to` with the rooms on its two sides. */
-struct Stretch
-{
-	Line line;
-	double from, to;
-	int low_side, high_side;  ///< rooms at the smaller and larger coordinate across
-};
-
-double low(const Area& area, bool along_x)
-{
-	return along_x ? area.min().x() : area.min().y();
-}
-double high(const Area& area, bool along_x)
-{
-	return along_x ? area.max().x() : area.max().y();
-}
-
-/** Every stretch of every room's side, shared ones once. */
-std::vector<Stretch> stretchesOf(const Plan& plan)
-{
-	constexpr double kNothing_m = 1e-4;
-	std::vector<Stretch> stretches;
-	const int count = static_cast<int>(plan.rooms.size());
-	for (int i = 0; i < count; ++i)
-		for (const bool along_x : {true, false})
-			for (const bool upper : {false, true})
-			{
-				const Area& mine = plan.rooms[static_cast<std::size_t>(i)].axes;
-				const double at = upper ? high(mine, !along_x) : low(mine, !along_x);
-				std::vector<std::pair<double, double>> shared;
-				for (int k = 0; k < count; ++k)
-				{
-					const Area& other = plan.rooms[static_cast<std::size_t>(k)].axes;
-					const double other_at = upper ? low(other, !along_x) : high(other, !along_x);
-					const double from = std::max(low(mine, along_x), low(other, along_x));
-					const double to = std::min(high(mine, along_x), high(other, along_x));
-					if (k == i || std::abs(other_at - at) > kNothing_m || to - from < kNothing_m) continue;
-					shared.emplace_back(from, to);
-					if (upper) stretches.push_back({lineAt(along_x, at), from, to, i, k});
-				}
-				std::sort(shared.begin(), shared.end());
-				shared.emplace_back(high(mine, along_x), high(mine, along_x));
-				double from = low(mine, along_x);
-				for (const auto& [next_from, next_to] : shared)
-				{
-					if (next_from - from > kNothing_m)
-						stretches.push_back({lineAt(along_x, at), from, next_from, upper ? i : -1, upper ? -1 : i});
-					from = std::max(from, next_to);
-				}
-			}
-	return stretches;
-}
-
-bool isCorridor(const Plan& plan, int room)
-{
-	return room >= 0 && plan.rooms[static_cast<std::size_t>(room)].use == Use::corridor;
 }
 }  // namespace
 
@@ -280,46 +207,5 @@ Plan planOf(std::string_view kind, Dice& dice)
 	if (kind == "hotel") return hotelOf(dice);
 	throw std::invalid_argument("a building is a house, office, school, warehouse or hotel, not \"" +
 	                            std::string(kind) + "\"");
-}
-
-void raiseWalls(Plan& plan, Dice& dice)
-{
-	const std::vector<Stretch> stretches = stretchesOf(plan);
-	std::map<Line, double> thickness;
-	for (const Stretch& stretch : stretches)
-	{
-		double& wall_m = thickness[stretch.line];
-		double wanted = plan.inner_m * dice.between(0.9, 1.3);
-		if (isCorridor(plan, stretch.low_side) || isCorridor(plan, stretch.high_side)) wanted = plan.corridor_m;
-		if (stretch.low_side < 0 || stretch.high_side < 0) wanted = plan.outer_m;
-		wall_m = std::max(wall_m, wanted);
-	}
-	const auto halfAt = [&](const Line& line)
-	{
-		const auto found = thickness.find(line);
-		return found == thickness.end() ? 0.0 : 0.5 * found->second;
-	};
-	for (const Stretch& stretch : stretches)
-	{
-		BuildingWall wall;
-		const bool along_x = stretch.line.along_x;
-		const Vector2d from =
-		    along_x ? Vector2d(stretch.from, stretch.line.at) : Vector2d(stretch.line.at, stretch.from);
-		wall.frame = {{from, along_x ? 0.0 : std::numbers::pi / 2}, thickness[stretch.line], plan.height_m};
-		wall.length_m = stretch.to - stretch.from;
-		wall.from_m = halfAt(lineAt(!along_x, stretch.from));
-		wall.to_m = wall.length_m - halfAt(lineAt(!along_x, stretch.to));
-		wall.left = along_x ? stretch.high_side : stretch.low_side;
-		wall.right = along_x ? stretch.low_side : stretch.high_side;
-		plan.walls.push_back(std::move(wall));
-	}
-	for (Room& room : plan.rooms)
-	{
-		room.inside = room.axes;
-		room.inside.min() +=
-		    Vector2d(halfAt(lineAt(false, room.axes.min().x())), halfAt(lineAt(true, room.axes.min().y())));
-		room.inside.max() -=
-		    Vector2d(halfAt(lineAt(false, room.axes.max().x())), halfAt(lineAt(true, room.axes.max().y())));
-	}
 }
 }  // namespace explore::test

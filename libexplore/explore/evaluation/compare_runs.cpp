@@ -32,8 +32,8 @@ enum class Over
 struct RatioFigure
 {
 	ComparedFigure figure;
-	Over over;
-	SceneRatio (*of)(const Tally&);
+	Over over = Over::all;
+	SceneRatio (*of)(const Tally&) = nullptr;
 };
 
 constexpr std::array<RatioFigure, 10> kRatios{{
@@ -136,6 +136,7 @@ std::optional<double> minus(const std::optional<double>& a, const std::optional<
 std::vector<Difference> differencesOf(const Pairs& pairs)
 {
 	std::vector<std::pair<Measure, Measure>> measures;
+	measures.reserve(kRatios.size() + 1);
 	for (const RatioFigure& figure : kRatios)
 		measures.emplace_back(ratioMeasure(figure, pairs, &Pair::base), ratioMeasure(figure, pairs, &Pair::other));
 	measures.emplace_back(calibrationMeasure(pairs, &Pair::base), calibrationMeasure(pairs, &Pair::other));
@@ -189,6 +190,7 @@ std::map<SceneKey, PlacedScene> scenesOf(const Evaluation& run, bool by_file_nam
 std::vector<ComparedFigure> comparedFigures()
 {
 	std::vector<ComparedFigure> figures;
+	figures.reserve(kRatios.size() + 1);
 	for (const RatioFigure& ratio : kRatios) figures.push_back(ratio.figure);
 	figures.push_back(kCalibration);
 	return figures;

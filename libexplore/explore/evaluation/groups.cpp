@@ -20,7 +20,7 @@ struct Key
 	std::size_t rank = 0;
 	std::string name, platform, noise;
 
-	auto operator<=>(const Key&) const = default;
+	auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
 };
 
 constexpr std::array<std::string_view, 3> kPaperRows{"single wall single door", "single wall multiple doors",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <ranges>
 
 namespace explore::evaluation
 {
@@ -88,12 +89,12 @@ std::vector<EqualCandidates> byConfidence(std::vector<Candidate> candidates)
 {
 	sortDown(candidates);
 	std::vector<EqualCandidates> groups;
-	for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate)
+	for (const Candidate& candidate : std::views::reverse(candidates))
 	{
-		if (groups.empty() || groups.back().confidence != candidate->confidence)
-			groups.push_back({candidate->confidence, 0, 0});
+		if (groups.empty() || groups.back().confidence != candidate.confidence)
+			groups.push_back({candidate.confidence, 0, 0});
 		++groups.back().count;
-		if (candidate->right) ++groups.back().right;
+		if (candidate.right) ++groups.back().right;
 	}
 	return groups;
 }

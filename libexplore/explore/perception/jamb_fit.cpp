@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace explore
 {
@@ -13,6 +14,9 @@ constexpr double kBin_m = 0.005;
 constexpr std::size_t kMaxBins = 128;
 constexpr int kEnoughRays = 4000;  // more rows do not make the edge sharper
 constexpr int kFewRays = 12;
+constexpr double kCasing_m = 0.05;  // wide, at least
+constexpr double kThickest_m = 0.04;
+constexpr double kFace_m = 0.02;    // inside an edge, where its jamb's face is looked for
 constexpr double kOnEdge_m = 0.04;  // a surface this near to the edge touches it
 
 /** Rays by their distance from the guess, increasing from the opening outward. */
@@ -22,9 +26,12 @@ struct EdgeHistogram
 	std::array<int, kMaxBins> inside{};      ///< lead behind the wall
 	std::array<int, kMaxBins> near_plane{};  ///< of `outside`: on the wall or beside it
 	std::array<int, kMaxBins> on_wall{};     ///< of `outside`: on the wall
+	std::array<int, kMaxBins> shallow{};     ///< of `inside`: end a little behind the wall
+	std::array<int, kMaxBins> missing{};     ///< without return
 	std::array<int, kMaxBins> all{};
 	std::size_t bins = 0;
-	double ray_width_m = 0;  ///< between neighbouring columns, on the wall
+	std::array<float, kMaxBins> front_sum_m{};  ///< over `near_plane`: how far before the plane
+	double ray_width_m = 0;                     ///< between neighbouring columns, on the wall
 };
 
 struct EdgeChoice
@@ -79,8 +86,11 @@ EdgeHistogram histogramAround(const RayJudge& judge, double guess_m, JambSide si
 			const bool wall = met == RayMet::wall, beside = met == RayMet::beside, front = met == RayMet::front;
 			edge.on_wall.at(bin) += static_cast<int>(wall);
 			edge.near_plane.at(bin) += static_cast<int>(wall || beside);
+			if (wall || beside) edge.front_sum_m.at(bin) += judge.rays().inFront_m(crossing, judge.depth(u, v));
 			edge.outside.at(bin) += static_cast<int>(wall || beside || front);
 			edge.inside.at(bin) += static_cast<int>(met == RayMet::through || met == RayMet::shallow);
+			edge.shallow.at(bin) += static_cast<int>(met == RayMet::shallow);
+			edge.missing.at(bin) += static_cast<int>(met == RayMet::no_return);
 			++edge.all.at(bin);
 		}
 	const int v = (box.first_v + box.last_v) / 2, u = (box.first_u + box.last_u) / 2;
@@ -95,15 +105,36 @@ int sum(const std::array<int, kMaxBins>& counts, std::size_t first, std::size_t 
 	return total;
 }
 
+/** Mean distance before the plane of what lies right beside the edge, as far as a casing reaches. */
+double reliefAt(const EdgeHistogram& edge, std::size_t bin)
+{
+	const std::size_t end = std::min(edge.bins, bin + static_cast<std::size_t>(kCasing_m / kBin_m));
+	const int rays = sum(edge.near_plane, bin, end);
+	if (rays < kFewRays) return 0.0;
+	const auto first = edge.front_sum_m.begin();
+	const float front_m =
+	    std::accumulate(first + static_cast<std::ptrdiff_t>(bin), first + static_cast<std::ptrdiff_t>(end), 0.0F);
+	return std::clamp(static_cast<double>(front_m) / rays, 0.0, kThickest_m);
+}
+
 /** The jamb at an edge: what stands in the strip beyond it. */
 Jamb jambAt(const EdgeHistogram& edge, const std::array<int, kMaxBins>& standing, std::size_t bin, JambKind kind,
             const JambConfig& config)
 {
-	const std::size_t end = std::min(edge.bins, bin + static_cast<std::size_t>(config.support_m / kBin_m));
+	const double strip_m = std::max(config.support_m, 3.0 * edge.ray_width_m);
+	const std::size_t end = std::min(edge.bins, bin + static_cast<std::size_t>(strip_m / kBin_m));
 	Jamb jamb;
 	jamb.kind = kind;
 	jamb.rays = sum(edge.all, bin, end);
-	jamb.support = jamb.rays == 0 ? 0.0 : static_cast<double>(sum(standing, bin, end)) / jamb.rays;
+	// A nearer edge casts a shadow without returns on the wall behind; that says nothing about the wall.
+	const int missing = sum(edge.missing, bin, end);
+	const int counted = jamb.rays - missing >= kFewRays ? jamb.rays - missing : jamb.rays;
+	jamb.support = counted == 0 ? 0.0 : static_cast<double>(sum(standing, bin, end)) / counted;
+	jamb.relief_m = reliefAt(edge, bin);
+	const auto inward = static_cast<std::size_t>(std::max(kFace_m, 3.0 * edge.ray_width_m) / kBin_m);
+	const std::size_t first = bin > inward ? bin - inward : 0;
+	const int inside = sum(edge.inside, first, bin);
+	jamb.face = inside == 0 ? 0.0 : static_cast<double>(sum(edge.shallow, first, bin)) / inside;
 	return jamb;
 }
 }  // namespace

@@ -25,8 +25,10 @@ struct Jamb
 {
 	double along_m = 0;
 	JambKind kind = JambKind::nothing;
-	double support = 0;  ///< share of the rays just beyond the edge that meet what bounds the opening, 0–1
-	int rays = 0;        ///< how many there were
+	double support = 0;   ///< share of the rays just beyond the edge that meet what bounds the opening, 0–1
+	int rays = 0;         ///< how many there were
+	double relief_m = 0;  ///< how far what stands right beside the edge lies before the wall's plane: a casing
+	double face = 0;  ///< share of the rays just inside the edge that end a little behind the wall: on the jamb's face
 };
 
 struct JambConfig

@@ -17,14 +17,18 @@ std::optional<double> lintelHeight(const std::vector<RayCounts>& heights)
 {
 	constexpr double kLowest_m = 0.5;
 	constexpr std::size_t kBins = 3;  // of wall: a ceiling that meets the wall's plane is thinner
+	// Where most rays are lost, the few that return at an opening's edges say nothing about its middle.
+	constexpr double kReturned = 0.35;
 	const auto wall_share = [](const RayCounts& bin) { return shareOf(bin.wall, bin.all - bin.nothing); };
-	const auto is_wall = [&](std::size_t bin)
-	{ return bin < heights.size() && heights[bin].all >= kFewRays && wall_share(heights[bin]) >= 0.5; };
+	const auto is_wall = [&](std::size_t i)
+	{
+		return i < heights.size() && heights[i].all >= kFewRays && wall_share(heights[i]) >= 0.5 &&
+		       shareOf(heights[i].wall, heights[i].all) >= kReturned;
+	};
 	for (auto i = static_cast<std::size_t>(kLowest_m / kRayHeightBin_m); i < heights.size(); ++i)
 	{
-		if (heights[i].all < kFewRays || wall_share(heights[i]) < 0.5) continue;
 		bool goes_on = true;
-		for (std::size_t k = 1; k < kBins; ++k) goes_on = goes_on && is_wall(i + k);
+		for (std::size_t k = 0; k < kBins; ++k) goes_on = goes_on && is_wall(i + k);
 		if (!goes_on) continue;
 		// The bin in which it begins is partly wall, and so may be the one below.
 		const double below = heights[i - 1].all < kFewRays ? 0.0 : wall_share(heights[i - 1]);
@@ -35,15 +39,17 @@ std::optional<double> lintelHeight(const std::vector<RayCounts>& heights)
 
 double sillShare(const std::vector<RayCounts>& heights)
 {
-	constexpr double kFrom_m = 0.1, kKnee_m = 0.5;
+	constexpr double kFrom_m = 0.1, kKnee_m = 0.5, kReturned = 0.25;
 	RayCounts sum;
 	for (auto i = static_cast<std::size_t>(kFrom_m / kRayHeightBin_m);
 	     i < static_cast<std::size_t>(kKnee_m / kRayHeightBin_m); ++i)
 	{
-		sum.all += heights[i].all - heights[i].nothing - heights[i].front;
+		sum.all += heights[i].all - heights[i].front;
+		sum.nothing += heights[i].nothing;
 		sum.wall += heights[i].wall + heights[i].beside;
 	}
-	return sum.all < kFewRays ? 0.0 : shareOf(sum.wall, sum.all);
+	const int returned = sum.all - sum.nothing;
+	return returned < kFewRays || shareOf(returned, sum.all) < kReturned ? 0.0 : shareOf(sum.wall, returned);
 }
 
 double longestThrough(const std::vector<RayCounts>& strips)
@@ -186,6 +192,9 @@ OpeningMeasure measureOpening(const RayJudge& judge, const LevelView& view, cons
 	measure.reveal = shareOf(tally.reveals, measure.rays);
 	const auto obstacles = inTheWay(plan.obstacles(), frame.width_m(), config.front_m);
 	measure.clear_width_m = clearWidth(frame.width_m(), obstacles);
+	measure.seen_lane_m = plan.seenLane_m();
+	measure.across_left = shareOf(tally.left.beside + tally.left.front, tally.left.all);
+	measure.across_right = shareOf(tally.right.beside + tally.right.front, tally.right.all);
 	measure.standing_m = plan.top_m();
 	constexpr double kHinge_m = 0.2;
 	measure.at_jamb = std::ranges::any_of(

@@ -33,6 +33,9 @@ struct OpeningMeasure
 {
 	OpeningEvidence evidence;
 	double clear_width_m = 0;     ///< see clearWidth()
+	double seen_lane_m = 0;       ///< see DoorwayPlan::seenLane_m()
+	double across_left = 0;       ///< share of the rays just beyond the left jamb that meet a surface across or before
+	double across_right = 0;      ///< the wall; and of the right one
 	double through_run_m = 0;     ///< longest stretch, along the wall, of rays that mostly lead through
 	double stop_depth_m = 0;      ///< median depth behind the wall at which stopped rays end
 	double standing_m = 0;        ///< top of what stands in the opening; 0 = nothing does

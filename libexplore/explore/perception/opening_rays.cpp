@@ -14,6 +14,7 @@ constexpr float kFloorSeen_m = 4.5F;   // further away a floor is too flat to re
 constexpr float kSteady_m = 5.0F;      // further away returns come and go by themselves
 constexpr float kSameSurface = 0.04F;  // of the depth, from one side of a hole to the other
 constexpr int kHoleReach_px = 3;
+constexpr int kSightEvery = 4;  // of the rays, which cross the same cells in every row
 constexpr double kReveal_m = 0.04;
 constexpr double kLeansIn = 0.36, kLeansOut = 0.7;  // tangents: a leaf opened by 70° to 125°
 constexpr float kDrop_m = 0.05F, kDropPer_m = 0.012F;
@@ -64,16 +65,20 @@ void OpeningRays::beside(int u, int v, const WallCrossing& crossing, RayMet met,
 
 void OpeningRays::inside(int u, int v, const WallCrossing& crossing, RayMet met, double from_left_m)
 {
-	m_tally.heights[static_cast<std::size_t>(crossing.height_m / kRayHeightBin_m)].add(met);
+	const float behind_m = -m_judge.rays().inFront_m(crossing, m_judge.depth(u, v));
+	const bool reveal = (met == RayMet::shallow || met == RayMet::wall) && isReveal(u, v, crossing, behind_m);
+	// The first centimetres of the far jamb's face count as wall, but are neither sill nor lintel.
+	if (!reveal || met != RayMet::wall)
+		m_tally.heights[static_cast<std::size_t>(crossing.height_m / kRayHeightBin_m)].add(met);
 	m_tally.lowest_m = std::min(m_tally.lowest_m, crossing.height_m);
 	m_tally.highest_m = std::max(m_tally.highest_m, crossing.height_m);
 	floorBeyond(u, v, crossing);
 	if (crossing.height_m < m_body.bottom_m || crossing.height_m > m_body.top_m) return;
 	countHoles(u, v, m_tally.holes);
+	sight(u, v, crossing, from_left_m);
 	RayCounts& strip =
 	    m_tally.strips[std::min(m_tally.strips.size() - 1, static_cast<std::size_t>(from_left_m / kRayStrip_m))];
-	const float behind_m = -m_judge.rays().inFront_m(crossing, m_judge.depth(u, v));
-	if ((met == RayMet::shallow || met == RayMet::wall) && isReveal(u, v, crossing, behind_m))
+	if (reveal)
 	{
 		++m_tally.reveals;
 		m_tally.reveal_depths_m.push_back(behind_m);
@@ -84,6 +89,16 @@ void OpeningRays::inside(int u, int v, const WallCrossing& crossing, RayMet met,
 	m_tally.body.add(met);
 	strip.add(met);
 	if (met == RayMet::shallow) m_tally.stop_depths_m.push_back(behind_m);
+}
+
+/** What lies between the wall's plane and the return is free. */
+void OpeningRays::sight(int u, int v, const WallCrossing& crossing, double from_left_m)
+{
+	const float depth_m = m_judge.depth(u, v);
+	if (!(depth_m > crossing.depth_m) || m_sights++ % kSightEvery != 0) return;
+	m_plan.addSight(static_cast<float>(from_left_m),
+	                m_judge.rays().alongAt(u, v, depth_m) - static_cast<float>(m_frame.left.along_m),
+	                -m_judge.rays().inFront_m(crossing, depth_m));
 }
 
 /** The ray moves away from the camera's foot along the wall, and may end on the face of the jamb there, or on a

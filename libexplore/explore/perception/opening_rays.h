@@ -76,6 +76,7 @@ public:
 
 private:
 	void beside(int u, int v, const WallCrossing& crossing, RayMet met, double off_m, bool is_left);
+	void sight(int u, int v, const WallCrossing& crossing, double from_left_m);
 	void inside(int u, int v, const WallCrossing& crossing, RayMet met, double from_left_m);
 	[[nodiscard]] bool isReveal(int u, int v, const WallCrossing& crossing, double behind_m) const;
 	void countHoles(int u, int v, SurfaceHoles& holes) const;
@@ -91,5 +92,6 @@ private:
 	double m_free_depth_m, m_front_m;
 	DoorwayPlan& m_plan;
 	RayTally m_tally;
+	int m_sights = 0;
 };
 }  // namespace explore

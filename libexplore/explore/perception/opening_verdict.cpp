@@ -1,4 +1,5 @@
 #include <explore/perception/opening_verdict.h>
+#include <explore/perception/pass_probability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +9,13 @@ namespace explore
 namespace
 {
 constexpr double kNarrowed_m = 0.08;  // what stands in an opening takes at least this of its width
-constexpr double kSomeWay = 0.02;     // of the rays lead on where a room is merely dark and large
 constexpr double kWidestLeaf_m = 1.4;
+constexpr double kMostly = 0.6;                         // of the rays end on a closed leaf
+constexpr double kSomeWay = 0.02;                       // of the rays lead on where a room is merely dark and large
+constexpr double kSurelyNot = 0.05;                     // P(pass) at most, of what swallows rays or has no floor
 constexpr double kLeaf_m = 1.0;                         // a leaf is higher
 constexpr double kFace_m = 0.3;                         // of wall beside a wide passage
 constexpr double kShown_m = 0.15;                       // of wall at the edge of the image, at least
-constexpr double kPier_m = 0.5;                         // wall between two doors; pillars are narrower
 constexpr double kHighLintel_m = 2.35;                  // from here on it may be the ceiling that meets the wall
 constexpr double kCeiling_m = 2.2;                      // rooms are higher, furniture is lower
 constexpr double kPaperMin_m = 0.8, kPaperMax_m = 1.6;  // th_g^min, th_g^max
@@ -24,15 +26,9 @@ double noReturnExcess(const OpeningMeasure& measure)
 }
 
 /** Wall that is surely no pillar and no face of another door's jamb. */
-bool isSolid(const WallPiece& piece)
+bool isSolid(const WallPiece& piece, const VerdictConfig& config)
 {
-	return piece.length_m >= kPier_m || (!piece.ends && !piece.hidden && piece.length_m >= kShown_m);
-}
-
-/** Wall as far as one sees; or the corner of a room, where a wall across hides how it goes on. */
-bool mayBeWall(const WallPiece& piece)
-{
-	return !piece.ends || piece.length_m >= kPier_m;
+	return piece.length_m >= config.pillar_m || (!piece.ends && !piece.hidden && piece.length_m >= kShown_m);
 }
 
 /** Whether what stands beside the opening is part of the building: joined above by a lintel, or wall that goes up to
@@ -44,94 +40,91 @@ bool isBuilt(const OpeningFrame& frame, const OpeningMeasure& measure, const Ope
 	if (lintel_m && *lintel_m < kHighLintel_m) return true;
 	if (measure.top_beside_m < kCeiling_m) return false;
 	if (std::max(context.left.length_m, context.right.length_m) >= config.pillar_m) return true;
-	const bool left = isSolid(context.left), right = isSolid(context.right);
+	const bool left = isSolid(context.left, config), right = isSolid(context.right, config);
 	if (frame.width_m() > config.door_width_m)
 		return std::min(context.left.length_m, context.right.length_m) >= (left && right ? 0.0 : kFace_m);
-	return (left && mayBeWall(context.right)) || (right && mayBeWall(context.left));
+	// The corner of a room, where a wall across hides how it goes on, may be beside the other jamb.
+	return (left && !context.right.ends) || (right && !context.left.ends);
 }
 
 /** Structure that no door or passage has. */
-bool isNoDoor(const OpeningFrame& frame, const OpeningMeasure& measure, const OpeningContext& context,
-              const VerdictConfig& config)
+bool isNoDoor(const OpeningFrame& frame, const OpeningMeasure& measure, const VerdictConfig& config)
 {
 	const OpeningEvidence& evidence = measure.evidence;
 	if (frame.width_m() < config.min_report_m || measure.rays < 20) return true;
 	if (config.height_profile && evidence.lintel_m && *evidence.lintel_m < config.min_lintel_m) return true;
 	if (config.height_profile && evidence.sill > config.max_sill) return true;
 	if (!config.robot_size && (frame.width_m() < kPaperMin_m || frame.width_m() > kPaperMax_m)) return true;
-	if (frame.left.kind == JambKind::nothing || frame.right.kind == JambKind::nothing) return true;
-	if (std::max(evidence.left_wall, evidence.right_wall) < config.min_support) return true;
-	return !isBuilt(frame, measure, context, config);
+	return frame.left.kind == JambKind::nothing || frame.right.kind == JambKind::nothing;
 }
 
-/** Seen from the side nothing but the far jamb's face, or a leaf that stands open there, may be in view: nothing stops
- *  the rays before it, the wall around is plain, and no back wall ends the opening. */
-bool isSlot(const OpeningFrame& frame, const OpeningMeasure& measure, const OpeningContext& context)
+/** Glass swallows rays here and there amid the surfaces behind it; what is merely out of range is missing as a whole,
+ *  beside rays that lead on. */
+bool isGlass(const OpeningMeasure& measure, const VerdictConfig& config)
+{
+	return measure.evidence.speckle - measure.holes_beside > config.max_speckle &&
+	       noReturnExcess(measure) > config.pane_no_return;
+}
+
+/** Nothing comes back from there but at most a floor: black, or a room whose end is out of range. */
+bool isDark(const OpeningMeasure& measure, const VerdictConfig& config)
 {
 	const OpeningEvidence& evidence = measure.evidence;
-	const bool framed = frame.left.kind == JambKind::wall && frame.right.kind == JambKind::wall &&
-	                    std::min(evidence.left_wall, evidence.right_wall) > 0.7 &&
-	                    std::max(context.left.length_m, context.right.length_m) > 0.5;
-	const bool high = measure.top_beside_m >= kCeiling_m && evidence.lintel_m.value_or(2.0) > 1.75 &&
-	                  evidence.lintel_m.value_or(2.0) < 2.4;
-	const double end_share = measure.reveal_m < 0.15 ? 0.0 : measure.back_wall * measure.reveal_m / 0.5;
-	return framed && high && measure.reveal > 0.5 && evidence.stopped < 0.15 && end_share < 0.25;
-}
-
-bool leadsNowhere(const OpeningFrame& frame, const OpeningMeasure& measure, const OpeningContext& context,
-                  const VerdictConfig& config)
-{
-	return measure.evidence.through < config.min_through && noReturnExcess(measure) < config.max_no_return &&
-	       !isSlot(frame, measure, context);
-}
-
-/** Something swallows the rays: all of them (black), or some here and there (glass). What is merely out of range is
- *  missing as a whole, beside rays that lead on. */
-bool isOpaque(const OpeningMeasure& measure, const VerdictConfig& config)
-{
-	const OpeningEvidence& evidence = measure.evidence;
-	if (evidence.speckle - measure.holes_beside > config.max_speckle && noReturnExcess(measure) > config.pane_no_return)
-		return true;
 	const bool floor_seen = evidence.through > kSomeWay && evidence.floor_beyond &&
 	                        *evidence.floor_beyond > config.min_floor &&
 	                        measure.floor_missing < config.max_floor_missing;
 	return noReturnExcess(measure) > config.max_no_return && evidence.through < config.min_through && !floor_seen;
 }
 
-Verdict passableKind(const OpeningFrame& frame, const OpeningMeasure& measure, const VerdictConfig& config)
+/** A floor that is not there behind the opening. */
+bool isDrop(const OpeningMeasure& measure, const VerdictConfig& config)
 {
+	const auto& floor_beyond = measure.evidence.floor_beyond;
+	return config.floor_beyond &&
+	       (measure.floor_missing > config.max_floor_missing || (floor_beyond && *floor_beyond < config.min_floor));
+}
+
+bool isUnseen(const Jamb& jamb)
+{
+	return jamb.kind == JambKind::hidden || jamb.kind == JambKind::out_of_view;
+}
+
+Verdict passableVerdict(const OpeningFrame& frame, const OpeningMeasure& measure, const VerdictConfig& config)
+{
+	const bool narrowed = measure.clear_width_m < frame.width_m() - kNarrowed_m;
+	const bool leaf = narrowed && measure.at_jamb && measure.standing_m > kLeaf_m && frame.width_m() < kWidestLeaf_m;
+	if (leaf) return Verdict::ajar;
 	const bool no_lintel = !measure.evidence.lintel_m && measure.evidence.highest_seen_m > 2.3;
 	return no_lintel || frame.width_m() > config.door_width_m ? Verdict::passage : Verdict::open;
 }
 
-std::optional<Verdict> verdictOf(const OpeningFrame& frame, const OpeningMeasure& measure,
-                                 const OpeningContext& context, const VerdictConfig& config)
+/** The verdict that nothing comes back from there, or that the floor is missing: whatever else is seen. */
+std::optional<Verdict> veto(const OpeningMeasure& measure, const VerdictConfig& config)
+{
+	if (isGlass(measure, config) || isDark(measure, config)) return Verdict::unknown;
+	return isDrop(measure, config) ? std::optional(Verdict::drop) : std::nullopt;
+}
+
+/** What an opening that cannot be passed is, as far as one sees; no value for what nobody would call a door. */
+std::optional<Verdict> otherVerdict(const OpeningFrame& frame, const OpeningMeasure& measure,
+                                    const OpeningContext& context, const VerdictConfig& config)
 {
 	const OpeningEvidence& evidence = measure.evidence;
-	if (leadsNowhere(frame, measure, context, config))
+	if (evidence.through < config.min_through && noReturnExcess(measure) < config.max_no_return)
 	{
-		const bool leaf = evidence.stopped > 0.6 && measure.stop_depth_m < config.max_recess_m;
+		const bool leaf = evidence.stopped > kMostly && measure.stop_depth_m < config.max_recess_m;
 		const bool framed = frame.left.kind == JambKind::wall && frame.right.kind == JambKind::wall;
-		if (leaf && framed && frame.width_m() < kWidestLeaf_m) return Verdict::closed;
-		return std::nullopt;
+		return leaf && framed && frame.width_m() < kWidestLeaf_m ? std::optional(Verdict::closed) : std::nullopt;
 	}
-	if (isOpaque(measure, config)) return Verdict::unknown;
-	const bool unseen = frame.left.kind == JambKind::hidden || frame.right.kind == JambKind::hidden ||
-	                    frame.left.kind == JambKind::out_of_view || frame.right.kind == JambKind::out_of_view;
-	if (unseen)
+	if (isUnseen(frame.left) || isUnseen(frame.right))
 	{
-		// Only beside a wall that surely is one.
 		const double length_m = std::max(context.left.length_m, context.right.length_m);
-		if (!evidence.lintel_m && length_m < 2.0 * config.pillar_m) return std::nullopt;
-		return Verdict::partial;
+		const bool sure = evidence.lintel_m || length_m >= config.partial_wall_m;
+		return sure ? std::optional(Verdict::partial) : std::nullopt;
 	}
-	if (config.floor_beyond && measure.floor_missing > config.max_floor_missing) return Verdict::drop;
-	if (config.floor_beyond && evidence.floor_beyond && *evidence.floor_beyond < config.min_floor) return Verdict::drop;
-	const bool narrowed = measure.clear_width_m < frame.width_m() - kNarrowed_m;
-	if (narrowed && measure.at_jamb && measure.standing_m > kLeaf_m) return Verdict::ajar;
 	// An opening that is too narrow by itself is open for smaller robots: clear_width says so.
-	if (narrowed && measure.clear_width_m < context.needed_width_m) return Verdict::blocked;
-	return passableKind(frame, measure, config);
+	if (frame.width_m() < context.needed_width_m) return passableVerdict(frame, measure, config);
+	return measure.clear_width_m < context.needed_width_m ? Verdict::blocked : Verdict::unknown;
 }
 }  // namespace
 
@@ -161,73 +154,24 @@ void describe(FieldVisitor& fields, VerdictConfig& config)
 	fields.real("max_floor_missing", config.max_floor_missing, {0.0, 1.0}, "",
 	            "Near floor behind an opening of which more than this share returns nothing is a drop.");
 	fields.real("pillar_width", config.pillar_m, {0.05, 2.0}, "m",
-	            "A piece of wall narrower than this, with nothing above that joins it to the next, is a pillar.");
+	            "Wall beside an opening that ends in view before this length, with no lintel above, may be a pillar.");
+	fields.real("partial_wall", config.partial_wall_m, {0.1, 10.0}, "m",
+	            "With a jamb and the lintel out of view, this much wall must be seen beside an opening to report it.");
+	fields.real("min_confidence", config.min_confidence, {0.0, 1.0}, "",
+	            "An opening is reported as passable from this probability on.");
 }
-
-std::array<double, kOpeningFeatures> openingFeatures(const OpeningFrame& frame, const OpeningMeasure& measure,
-                                                     const OpeningContext& context)
-{
-	const OpeningEvidence& evidence = measure.evidence;
-	const bool corner = frame.left.kind == JambKind::corner || frame.right.kind == JambKind::corner;
-	const double width_m = std::max(0.1, frame.width_m());
-	return {1.0,
-	        evidence.through,
-	        noReturnExcess(measure),
-	        std::min(0.2, std::max(0.0, evidence.speckle - measure.holes_beside)),
-	        std::min(frame.left.support, frame.right.support),
-	        std::clamp(measure.clear_width_m - context.needed_width_m, -0.3, 0.3),
-	        std::min(1.0, measure.through_run_m / width_m),
-	        evidence.floor_beyond.value_or(1.0),
-	        evidence.floor_beyond ? 0.0 : 1.0,
-	        evidence.occluded,
-	        evidence.lintel_m ? 1.0 : 0.0,
-	        evidence.sill,
-	        evidence.range_m,
-	        evidence.lowest_seen_m > 0.5 ? 1.0 : 0.0,
-	        corner ? 1.0 : std::clamp(width_m - 1.4, 0.0, 1.0),
-	        std::min(0.8, std::max(context.left.length_m, context.right.length_m)),
-	        std::min(0.8, std::min(context.left.length_m, context.right.length_m)),
-	        measure.reveal};
-}
-
-namespace
-{
-/** Logistic regression on openingFeatures() of openings that look passable; see doc/method.md for how it was fitted. */
-double passProbability(const std::array<double, kOpeningFeatures>& features)
-{
-	static constexpr std::array<double, kOpeningFeatures> kWeights{-0.445, 2.461,  0.568,  -0.120, 0.615, 5.290,
-	                                                               0.342,  -0.347, 0.469,  -1.191, 1.107, -0.965,
-	                                                               -0.271, -1.566, -1.102, -0.531, 1.889, 1.551};
-	double sum = 0;
-	for (std::size_t i = 0; i < features.size(); ++i) sum += kWeights.at(i) * features.at(i);
-	return 1.0 / (1.0 + std::exp(-sum));
-}
-
-/** How often an opening with such a verdict could be passed after all, in the scenes of that fit. */
-double rateOf(Verdict verdict)
-{
-	switch (verdict)
-	{
-		case Verdict::unknown:
-			return 0.20;
-		case Verdict::partial:
-		case Verdict::blocked:
-			return 0.03;
-		default:
-			return 0.01;
-	}
-}
-}  // namespace
 
 std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const OpeningMeasure& measure,
                                            const OpeningContext& context, const VerdictConfig& config)
 {
-	if (isNoDoor(frame, measure, context, config)) return std::nullopt;
-	const auto verdict = verdictOf(frame, measure, context, config);
-	if (!verdict) return std::nullopt;
-	const bool fits = measure.clear_width_m >= context.needed_width_m;
-	const bool passable = *verdict == Verdict::open || *verdict == Verdict::passage || *verdict == Verdict::ajar;
-	return OpeningVerdict{
-	    *verdict, passable && fits ? passProbability(openingFeatures(frame, measure, context)) : rateOf(*verdict)};
+	if (isNoDoor(frame, measure, config)) return std::nullopt;
+	const double passable = passProbability(openingFeatures(frame, measure, context));
+	const auto vetoed = veto(measure, config);
+	if (!vetoed && passable >= config.min_confidence)
+		return OpeningVerdict{passableVerdict(frame, measure, config), passable};
+	if (!isBuilt(frame, measure, context, config)) return std::nullopt;
+	if (vetoed) return OpeningVerdict{*vetoed, std::min(passable, kSurelyNot)};
+	const auto other = otherVerdict(frame, measure, context, config);
+	return other ? std::optional(OpeningVerdict{*other, passable}) : std::nullopt;
 }
 }  // namespace explore

@@ -1,9 +1,8 @@
 // From measurements to a verdict and a probability that the robot can pass.
 #pragma once
 
-#include <explore/perception/opening_evidence.h>
+#include <explore/perception/opening_features.h>
 
-#include <array>
 #include <optional>
 
 namespace explore
@@ -21,10 +20,11 @@ struct VerdictConfig
 	double max_range_m = 5.1;        ///< of either jamb: further away a wall is not surely one
 	double min_through = 0.15;       ///< of the rays: less leads nowhere
 	double max_recess_m = 0.25;      ///< a leaf stands within this behind the wall's face
-	double min_support = 0.4;        ///< of the rays beside a jamb meet what it stands on
 	double min_floor = 0.88;         ///< of the rays that should meet floor behind: less is a drop
 	double max_floor_missing = 0.7;  ///< of the rays to near floor behind: more is a drop as well
-	double pillar_m = 0.5;           ///< a piece of wall this narrow, without a lintel, is a pillar
+	double pillar_m = 0.5;           ///< a piece of wall that ends in view before this length may be a pillar
+	double partial_wall_m = 1.0;     ///< of wall beside an opening whose other jamb, and lintel, are out of view
+	double min_confidence = 0.5;     ///< P(the robot can pass) from which on an opening is passable
 	// For comparison, the remedies of method.md one by one:
 	bool height_profile = true;  ///< sill and lintel count
 	bool leaf = true;            ///< what stands in the opening counts
@@ -33,36 +33,15 @@ struct VerdictConfig
 };
 void describe(FieldVisitor& fields, VerdictConfig& config);
 
-/** Wall beside an opening. */
-struct WallPiece
-{
-	double length_m = 0;  ///< that was seen
-	bool ends = false;    ///< in view, at another opening or edge
-	bool hidden = false;  ///< goes on behind something in front
-};
-
-/** What the verdict needs to know beyond the rays in the opening. */
-struct OpeningContext
-{
-	double needed_width_m = 0;  ///< the robot's diameter and a margin
-	WallPiece left, right;
-	double wall_length_m = 0;
-	std::size_t wall_samples = 0;
-};
-
 struct OpeningVerdict
 {
 	Verdict verdict = Verdict::unknown;
 	double confidence = 0;  ///< P(the robot can pass now)
 };
 
-inline constexpr std::size_t kOpeningFeatures = 18;
-/** What the confidence is made of; exposed so that it can be fitted. */
-std::array<double, kOpeningFeatures> openingFeatures(const OpeningFrame& frame, const OpeningMeasure& measure,
-                                                     const OpeningContext& context);
-
-/** No value: not an opening that anybody would call a door or a passage (window, niche, gap between furniture, shadow).
- */
+/** Passable where passProbability() is high enough, unless something swallows the rays or the floor is missing; else
+ *  rules tell why not. No value: not an opening that anybody would call a door or a passage (window, niche, gap between
+ *  furniture, shadow). */
 std::optional<OpeningVerdict> judgeOpening(const OpeningFrame& frame, const OpeningMeasure& measure,
                                            const OpeningContext& context, const VerdictConfig& config);
 }  // namespace explore

@@ -99,13 +99,14 @@ void shareOut(const PlanScan& scan, std::vector<WallLine>& walls, const UprightW
 
 std::optional<UprightWall> wallOf(const PlanScan& scan, const WallLine& line, const UprightWallConfig& config)
 {
-	UprightWall wall{line.line.normal, line.line.offset_m, 1e9, -1e9, 0};
+	UprightWall wall{line.line.normal, line.line.offset_m, 1e9, -1e9, 0, 0.0};
 	double samples = 0;
 	for (const LinePiece& piece : piecesOf(scan, line.line, line.members))
 	{
 		if (piece.to_m - piece.from_m < kShortest_m) continue;
 		wall.from_m = std::min(wall.from_m, piece.from_m);
 		wall.to_m = std::max(wall.to_m, piece.to_m);
+		wall.longest_piece_m = std::max(wall.longest_piece_m, piece.to_m - piece.from_m);
 		samples += piece.samples;
 	}
 	if (samples < config.min_samples || wall.to_m - wall.from_m < config.min_length_m) return std::nullopt;

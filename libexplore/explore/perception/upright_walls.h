@@ -32,6 +32,7 @@ struct UprightWall
 	double offset_m = 0;
 	double from_m = 0, to_m = 0;  ///< extent of its samples along tangent(), 0 = foot of the camera
 	std::size_t samples = 0;      ///< LevelSamples that lie on it
+	double longest_piece_m = 0;   ///< of it that is seen without a break
 
 	/** Unit, horizontal: t = g × n (remedy 1). Looking at the wall, it points to the right. */
 	[[nodiscard]] Eigen::Vector2d tangent() const { return {-normal.y(), normal.x()}; }

@@ -97,6 +97,7 @@ std::string summaryJson(const RunSummary& summary)
 	    {"frames_with_ground", tally.frames_with_ground},
 	    {"frames_with_door", tally.frames_with_door},
 	    {"frames_stopped", tally.frames_stopped},
+	    {"warnings", summary.warnings},
 	    {"doors", Json::array()},
 	    {"corridors", Json::array()},
 	    {"exploration", explorationJson(summary)},

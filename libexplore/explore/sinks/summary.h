@@ -56,7 +56,8 @@ struct RunSummary
 	std::string config;  ///< as given by the user; empty = built-in defaults
 	InputSummary input;
 	RunTally tally;
-	std::string reason;  ///< why the run ended
+	std::vector<std::string> warnings;  ///< that the user got, each once
+	std::string reason;                 ///< why the run ended
 	std::map<std::string, StageStatistics> timing;
 	double peak_rss_mb = 0;
 };
