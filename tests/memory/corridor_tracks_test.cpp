@@ -1,5 +1,7 @@
+#include <explore/memory/corridor_sight.h>
 #include <explore/memory/corridor_tracks.h>
 #include <gtest/gtest.h>
+#include <support/analytic_scene.h>
 
 #include "door_looks.h"
 
@@ -188,6 +190,22 @@ TEST(CorridorTracks, ConfirmedOnesAreVanishingPointsToEitherEndForARobotInThem)
 	EXPECT_NEAR(points[1].direction.y(), -1, 1e-3);
 	EXPECT_EQ(points[1].track, 1);
 	EXPECT_TRUE(confirmedCorridors(tracks, robotAt(3, 3, 0).inverse()).empty()) << "beside it";
+}
+
+TEST(CorridorSight, TellsHowFarTheWayAheadIsClear)
+{
+	const auto ahead = [](const Scene& scene, double yaw_rad)
+	{
+		return clearAhead(renderFrame(scene, mrpt::poses::CPose3D(0, 0, 0, yaw_rad, 0, 0),
+		                              mrpt::poses::CPose3D(0, 0, 0.5, 0, 0, 0), xtionIntrinsics(160, 120)));
+	};
+	Scene scene = corridorScene(7, {}, {});
+	EXPECT_NEAR(ahead(scene, 0), 7, 0.01);
+	EXPECT_LT(ahead(scene, 60 * kDegree), 2.5);
+	EXPECT_EQ(ahead(corridorScene(30, {}, {}), 0), 0) << "no return from beyond 8 m";
+	scene.box({2.0, 0, 0.9}, {0.4, 0.5, 1.8});
+	EXPECT_NEAR(ahead(scene, 0), 1.8, 0.01) << "somebody in the way";
+	EXPECT_EQ(clearAhead(DepthFrame()), 0);
 }
 }  // namespace
 }  // namespace explore::test
