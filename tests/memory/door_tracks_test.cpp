@@ -254,6 +254,30 @@ TEST(DoorTracks, TheMapObjectsToAMirror)
 	}
 }
 
+TEST(DoorTracks, AnOpeningInAWallWithoutThicknessIsAMirrorUntilTheRobotWentThrough)
+{
+	Scout scout;
+	const auto look_with = [&](double thickness_m)
+	{
+		++scout.step;
+		scout.t_s += 0.5;
+		const std::vector<Door> reports{reportOf(kDoor, scout.where())};
+		DoorLook look = lookAt(reports, scout.where(), scout.t_s);
+		look.reveal = [thickness_m](const DoorPlace&) { return RevealRows{10, 10 * thickness_m}; };
+		update(scout.tracks, look, kRobot, kConfig);
+	};
+	for (int i = 0; i < 5; ++i) look_with(0.005);
+	ASSERT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::unknown);
+	scout.tracks.tracks[0].visited = true;
+	look_with(0.005);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::open);
+
+	scout = {};
+	for (int i = 0; i < 5; ++i) look_with(0.1);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
+}
+
 TEST(DoorTracks, MemoryIsBoundedAndTheLeastSureGoFirst)
 {
 	DoorTrackConfig small;

@@ -23,9 +23,9 @@ namespace
 {
 struct Options
 {
-	bool odometry = false;  ///< the log's poses instead of the true ones
-	bool no_map = false;    ///< no objections of the map
-	bool verbose = false;
+	bool odometry = false;   ///< the log's poses instead of the true ones
+	bool no_map = false;     ///< no objections of the map
+	bool no_reveal = false;  ///< walls are not asked for their thickness
 	std::vector<std::string> logs;
 };
 
@@ -95,7 +95,7 @@ bool isAtPositive(const Scene& scene, const DoorPlace& place, double clear_width
 
 void learnTruth(Scene& scene, const TruthFrame& truth, const Viewpoint& now, const RobotConfig& robot, Score& score)
 {
-	if (truth.corridor.state == CorridorState::corridor)
+	if (truth.corridor.state != CorridorState::none)
 		scene.corridor_directions_rad.push_back(azimuthOf(truth.corridor.direction_in_map));
 	for (const TruthDoor& door : truth.doors)
 	{
@@ -136,6 +136,7 @@ void addFrame(Scene& scene, const DepthFrame& frame, const TruthLog& log, const 
 	look.robot_from_camera = isometryOf(frame.robot_from_camera);
 	look.t_s = mrpt::Clock::toDouble(frame.timestamp);
 	look.view = doorQuery(frame, {}, {});
+	if (!options.no_reveal) look.reveal = revealQuery(frame);
 	if (!options.no_map) look.occupancy = [&](const Eigen::Vector3d& point) { return scene.map->stateAt(point); };
 	std::map<int, int> looks_before;
 	for (const DoorTrack& track : scene.doors.tracks) looks_before[track.number] = track.existence.looks;
@@ -154,10 +155,12 @@ void addFrame(Scene& scene, const DepthFrame& frame, const TruthLog& log, const 
 
 void printWrong(const char* when, const DoorTrack& track)
 {
-	std::printf("  wrong %s: track %d at %.2f %.2f, %.2f wide, %s %.2f, %d of %d looks, log-odds %.2f\n", when,
-	            track.number, track.place.center_in_map.x(), track.place.center_in_map.y(), track.place.width_m,
-	            std::string(nameOf(verdictOf(track))).c_str(), confidenceOf(track), track.existence.hits,
-	            track.existence.looks, track.existence.log_odds);
+	std::printf(
+	    "  wrong %s: track %d at %.2f %.2f, %.2f wide, %s %.2f, %d of %d looks, log-odds %.2f, inner face %.3f m in %d "
+	    "rows\n",
+	    when, track.number, track.place.center_in_map.x(), track.place.center_in_map.y(), track.place.width_m,
+	    std::string(nameOf(verdictOf(track))).c_str(), confidenceOf(track), track.existence.hits, track.existence.looks,
+	    track.existence.log_odds, track.reveal.meanDepth_m(), track.reveal.rows);
 }
 
 void scoreTracks(const Scene& scene, const std::vector<DoorTrack>& tracks, const RobotConfig& robot, const char* when,
@@ -245,6 +248,8 @@ Options optionsOf(int argc, char** argv)
 			options.odometry = true;
 		else if (argument == "--no-map")
 			options.no_map = true;
+		else if (argument == "--no-reveal")
+			options.no_reveal = true;
 		else
 			options.logs.emplace_back(argument);
 	}
@@ -259,7 +264,7 @@ int main(int argc, char** argv)
 	const Options options = optionsOf(argc, argv);
 	if (options.logs.empty())
 	{
-		std::fputs("measure_tracks [--odometry] [--no-map] LOG.rawlog...\n", stderr);
+		std::fputs("measure_tracks [--odometry] [--no-map] [--no-reveal] LOG.rawlog...\n", stderr);
 		return 2;
 	}
 	try

@@ -181,6 +181,7 @@ DoorTrack joined(const DoorTrack& a, const DoorTrack& b, const DoorFusionConfig&
 	result.existence = joined(a.existence, b.existence);
 	result.belief = joined(a.belief, b.belief);
 	result.visited = a.visited || b.visited;
+	result.reveal += other.reveal;
 	for (const int number : other.seen_beside)
 		if (std::ranges::find(result.seen_beside, number) == result.seen_beside.end())
 			result.seen_beside.push_back(number);

@@ -16,7 +16,7 @@ using OccupancyQuery = std::function<VoxelState(const Eigen::Vector3d& point_in_
 struct MapCheckConfig
 {
 	double step_m = 0.05;  ///< between the points that are asked for: the edge of a voxel; twice as far for mirrors
-	double min_free_share = 0.6;    ///< of the clear width that the map must leave
+	double min_free_share = 0.5;    ///< of the clear width that the map must leave
 	double mirror_depth_m = 3.0;    ///< how far behind the opening its mirror image is looked for
 	double mirror_share = 0.85;     ///< of what stands there that has to be a mirror image
 	double mirror_contrast = 0.35;  ///< how much more of it than for a mirror that stood a little elsewhere

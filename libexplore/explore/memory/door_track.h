@@ -3,6 +3,7 @@
 
 #include <explore/memory/door_belief.h>
 #include <explore/memory/door_place.h>
+#include <explore/memory/door_reveal.h>
 #include <explore/memory/track_existence.h>
 
 #include <Eigen/Core>
@@ -21,8 +22,10 @@ struct DoorTrack
 
 	Existence existence;
 	DoorBelief belief;
-	/** What the map says against passing here, seen from elsewhere: blocked (there is something in the way) or unknown
-	 *  (what is behind is the mirror image of what is in front). */
+	RevealRows reveal;  ///< of all looks, faded
+	/** What speaks against passing here that no report tells: blocked (the map, seen from elsewhere, holds something in
+	 *  the way) or unknown (a mirror: what is behind is the mirror image of what is in front, or the wall has no
+	 *  thickness). */
 	std::optional<Verdict> objection;
 	bool visited = false;  ///< the robot went through
 

@@ -122,16 +122,33 @@ std::vector<int> numberSightings(DoorTracks& tracks, const std::vector<DoorSight
 	return numbers;
 }
 
-/** Asks the map about every track that this frame looked at. */
-void objectByMap(DoorTracks& tracks, const DoorLook& look, const Now& now, const RobotConfig& robot,
-                 const DoorTrackConfig& config)
+bool isFlat(const DoorTrack& track, const DoorTrackConfig& config)
 {
-	if (!look.occupancy) return;
+	return !track.visited && config.flat_depth_m > 0 && track.reveal.rows >= config.flat_rows &&
+	       track.reveal.meanDepth_m() < config.flat_depth_m;
+}
+
+std::optional<Verdict> objectionTo(const DoorTrack& track, const DoorLook& look, const RobotConfig& robot,
+                                   const DoorTrackConfig& config)
+{
+	if (!isPassable(verdictOf(track.belief))) return std::nullopt;
+	if (isFlat(track, config)) return Verdict::unknown;
+	if (!look.occupancy) return std::nullopt;
+	return objectionTo(track.place, clearWidthOf(track.belief), look.occupancy, robot, config.map_check);
+}
+
+/** Asks frame and map about every track that this frame looked at. */
+void objectToTracks(DoorTracks& tracks, const DoorLook& look, const Now& now, const RobotConfig& robot,
+                    const DoorTrackConfig& config)
+{
+	constexpr int kFullMemory = 400;  // rows; of more, half are forgotten
 	for (DoorTrack& track : tracks.tracks)
-		if (track.existence.last_look.t_s == now.from.t_s)
-			track.objection = isPassable(verdictOf(track.belief)) ? objectionTo(track.place, clearWidthOf(track.belief),
-			                                                                    look.occupancy, robot, config.map_check)
-			                                                      : std::nullopt;
+	{
+		if (track.existence.last_look.t_s != now.from.t_s) continue;
+		if (look.reveal) track.reveal += look.reveal(track.place);
+		if (track.reveal.rows > kFullMemory) track.reveal = {track.reveal.rows / 2, track.reveal.depth_m / 2};
+		track.objection = objectionTo(track, look, robot, config);
+	}
 }
 }  // namespace
 
@@ -148,6 +165,10 @@ void describe(FieldVisitor& fields, DoorTrackConfig& config)
 	            "How surely a door in plain view is reported, near and from the front.");
 	fields.real("through_doubt", config.through_doubt, {0.0, 1.0}, "",
 	            "How much less a missing report tells where rays go through the opening.");
+	fields.integer("flat_rows", config.flat_rows, {1, 1000}, "",
+	               "Rows of pixels in which the wall's face inside an opening was looked for before it is missed.");
+	fields.real("flat_depth", config.flat_depth_m, {0.0, 0.2}, "m",
+	            "An opening in a wall that is thinner than this is a mirror, until the robot went through; 0 = never.");
 	fields.real("forget_time", config.forget_s, {0.1, 1e6}, "s",
 	            "An unconfirmed track without a report is forgotten after this time ...");
 	fields.real("forget_way", config.forget_m, {0.1, 1e6}, "m", "... or this much way.");
@@ -172,7 +193,7 @@ std::vector<int> update(DoorTracks& tracks, const DoorLook& look, const RobotCon
 	noteSeenBeside(tracks, sightings, numbers, config.fusion);
 	for (const JoinedTrack& joined : joinDoubles(tracks, config.fusion))
 		std::ranges::replace(numbers, joined.number, joined.into);
-	objectByMap(tracks, look, now, robot, config);
+	objectToTracks(tracks, look, now, robot, config);
 	forget(tracks, look.t_s, config);
 	return numbers;
 }

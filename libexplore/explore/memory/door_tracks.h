@@ -17,9 +17,13 @@ struct DoorTrackConfig
 	DoorFusionConfig fusion;
 	ExistenceConfig existence;
 	MapCheckConfig map_check;
-	double fading = 0.8;                 ///< what remains of a verdict's weight after another look of full weight
-	double detect_probability = 0.8;     ///< of a door in plain view, near and frontal
-	double through_doubt = 0.5;          ///< how much less a miss tells where rays go through the opening
+	double fading = 0.8;              ///< what remains of a verdict's weight after another look of full weight
+	double detect_probability = 0.8;  ///< of a door in plain view, near and frontal
+	double through_doubt = 0.5;       ///< how much less a miss tells where rays go through the opening
+	/** An opening is a mirror when the wall's inner face was looked for in so many rows of pixels and, on average, ends
+	 *  so soon behind its outer face; 0 m = never. */
+	int flat_rows = 12;
+	double flat_depth_m = 0.025;
 	double forget_s = 60, forget_m = 5;  ///< an unconfirmed track is kept for so long, or so much way, without a report
 	int max_tracks = 500;                ///< beyond, the least sure are forgotten
 };
@@ -34,6 +38,7 @@ struct DoorLook
 	Eigen::Isometry3d robot_from_camera = Eigen::Isometry3d::Identity();
 	double t_s = 0;            ///< mrpt::Clock::toDouble
 	DoorQuery view;            ///< none: nothing is held against a track that no report came of
+	RevealQuery reveal;        ///< none: walls are not asked for their thickness
 	OccupancyQuery occupancy;  ///< none: the map is not asked for objections
 };
 

@@ -3,7 +3,7 @@ find_package(octomap 1.9 REQUIRED)
 explore_layer(memory
   SOURCES occupancy_config.cpp voxel_block.cpp block_store.cpp block_tree.cpp frame_rays.cpp reach_pyramid.cpp ray_ends.cpp cube_view.cpp voxel_crossing.cpp ray_passes.cpp
           occupancy.cpp
-          track_existence.cpp door_place.cpp door_sighting.cpp door_belief.cpp door_track.cpp door_fusion.cpp door_sight.cpp
+          track_existence.cpp door_place.cpp door_sighting.cpp door_belief.cpp door_track.cpp door_fusion.cpp door_sight.cpp door_reveal.cpp
           door_map_check.cpp door_upkeep.cpp door_tracks.cpp corridor_fusion.cpp corridor_sight.cpp corridor_tracks.cpp
   LINKS explore::perception octomap octomath)
 
