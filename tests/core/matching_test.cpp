@@ -1,11 +1,12 @@
-#include <explore/evaluation/matching.h>
+#include <explore/core/matching.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <set>
 
-using namespace explore::evaluation;
+using namespace explore;
 
 namespace
 {
@@ -83,6 +84,66 @@ TEST(Matching, PrefersMorePairsToNearerOnes)
 	const auto columns = bestMatching(table);
 	EXPECT_EQ(columns[0], 1U);
 	EXPECT_EQ(columns[1], 0U);
+}
+
+TEST(Matching, PaysForWhatIsLeftUnpaired)
+{
+	constexpr double kUnpaired = 0.5;
+	std::mt19937_64 random(12);
+	for (int round = 0; round < 2000; ++round)
+	{
+		const std::size_t rows = random() % 5, columns = random() % 5;
+		DistanceTable table(rows, columns);
+		for (std::size_t i = 0; i < rows; ++i)
+			for (std::size_t j = 0; j < columns; ++j)
+				if (random() % 3 > 0) table.allow(i, j, static_cast<double>(random() % 1000) / 1000.0);
+		const auto cost_of = [&](std::size_t pairs, double distance)
+		{ return distance + kUnpaired * static_cast<double>(std::max(rows, columns) - pairs); };
+
+		double least = cost_of(0, 0);
+		std::vector<bool> taken(columns, false);
+		const std::function<void(std::size_t, std::size_t, double)> try_row =
+		    [&](std::size_t row, std::size_t pairs, double distance)
+		{
+			if (row == rows)
+			{
+				least = std::min(least, cost_of(pairs, distance));
+				return;
+			}
+			try_row(row + 1, pairs, distance);
+			for (std::size_t column = 0; column < columns; ++column)
+			{
+				if (taken[column] || !table.at(row, column)) continue;
+				taken[column] = true;
+				try_row(row + 1, pairs + 1, distance + *table.at(row, column));
+				taken[column] = false;
+			}
+		};
+		try_row(0, 0, 0);
+
+		std::size_t pairs = 0;
+		double distance = 0;
+		const auto found = bestMatching(table, kUnpaired);
+		for (std::size_t i = 0; i < rows; ++i)
+		{
+			if (!found[i]) continue;
+			++pairs;
+			distance += *table.at(i, *found[i]);
+			EXPECT_LT(*table.at(i, *found[i]), kUnpaired);
+		}
+		ASSERT_NEAR(cost_of(pairs, distance), least, 1e-9) << "round " << round;
+	}
+}
+
+TEST(Matching, DoesNotBreakANearPairToMakeTwo)
+{
+	DistanceTable table(2, 2);
+	table.allow(0, 0, 0.01);
+	table.allow(0, 1, 0.29);
+	table.allow(1, 0, 0.29);
+	const auto columns = bestMatching(table, 0.3);
+	EXPECT_EQ(columns[0], 0U);
+	EXPECT_FALSE(columns[1]);
 }
 
 TEST(Matching, HasNoPairsWithoutRowsOrColumns)

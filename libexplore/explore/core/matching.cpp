@@ -1,28 +1,21 @@
-#include <explore/evaluation/matching.h>
+#include <explore/core/matching.h>
 
 #include <algorithm>
 #include <limits>
 
-namespace explore::evaluation
+namespace explore
 {
 namespace
 {
-/** Dearer than all allowed pairs together, so that one more pair is always worth it. */
-constexpr double kUnpaired = 1e6;
 constexpr std::size_t kNone = 0;
-
-double costOf(const DistanceTable& distances, std::size_t row, std::size_t column)
-{
-	if (row >= distances.rows() || column >= distances.columns()) return kUnpaired;
-	return distances.at(row, column).value_or(kUnpaired);
-}
 
 /** Kuhn–Munkres with potentials on the square table, rows and columns counted from 1, 0 = none. */
 class Hungarian
 {
 public:
-	explicit Hungarian(const DistanceTable& distances)
+	Hungarian(const DistanceTable& distances, double unpaired)
 	    : m_distances(distances),
+	      m_unpaired(unpaired),
 	      m_size(std::max(distances.rows(), distances.columns())),
 	      m_row_potential(m_size + 1),
 	      m_column_potential(m_size + 1),
@@ -34,6 +27,12 @@ public:
 	[[nodiscard]] std::size_t size() const { return m_size; }
 
 private:
+	[[nodiscard]] double costOf(std::size_t row, std::size_t column) const
+	{
+		if (row >= m_distances.rows() || column >= m_distances.columns()) return m_unpaired;
+		return std::min(m_distances.at(row, column).value_or(m_unpaired), m_unpaired);
+	}
+
 	/** Gives `row` a column along the cheapest chain of changes. */
 	void place(std::size_t row)
 	{
@@ -55,7 +54,7 @@ private:
 		for (std::size_t j = 1; j <= m_size; ++j)
 		{
 			if (m_seen[j]) continue;
-			const double cost = costOf(m_distances, row - 1, j - 1) - m_row_potential[row] - m_column_potential[j];
+			const double cost = costOf(row - 1, j - 1) - m_row_potential[row] - m_column_potential[j];
 			if (cost < m_slack[j])
 			{
 				m_slack[j] = cost;
@@ -80,6 +79,7 @@ private:
 	}
 
 	const DistanceTable& m_distances;
+	double m_unpaired;
 	std::size_t m_size;
 	std::vector<double> m_row_potential, m_column_potential;
 	std::vector<std::size_t> m_row_of;  ///< by column
@@ -89,16 +89,16 @@ private:
 };
 }  // namespace
 
-std::vector<std::optional<std::size_t>> bestMatching(const DistanceTable& distances)
+std::vector<std::optional<std::size_t>> bestMatching(const DistanceTable& distances, double unpaired)
 {
 	std::vector<std::optional<std::size_t>> columns(distances.rows());
 	if (distances.rows() == 0 || distances.columns() == 0) return columns;
-	const Hungarian matching(distances);
+	const Hungarian matching(distances, unpaired);
 	for (std::size_t column = 0; column < distances.columns(); ++column)
 	{
 		const std::size_t row = matching.rowOf(column + 1) - 1;
-		if (row < distances.rows() && distances.at(row, column)) columns[row] = column;
+		if (row < distances.rows() && distances.at(row, column).value_or(unpaired) < unpaired) columns[row] = column;
 	}
 	return columns;
 }
-}  // namespace explore::evaluation
+}  // namespace explore

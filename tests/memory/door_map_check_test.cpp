@@ -1,0 +1,115 @@
+#include <explore/memory/door_map_check.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "door_looks.h"
+
+namespace explore::test
+{
+namespace
+{
+/** Walls and furniture as boxes on the plan, up to 2 m high. */
+struct Box
+{
+	double x_min, x_max, y_min, y_max;
+
+	[[nodiscard]] bool holds(double x_m, double y_m) const
+	{
+		return x_m >= x_min && x_m <= x_max && y_m >= y_min && y_m <= y_max;
+	}
+};
+
+/** Known within `seen`, occupied in the boxes. */
+OccupancyQuery mapOf(const std::vector<Box>& boxes, const Box& seen)
+{
+	return [boxes, seen](const Eigen::Vector3d& point)
+	{
+		if (!seen.holds(point.x(), point.y()) || point.z() > 2.0) return VoxelState::unknown;
+		for (const Box& box : boxes)
+			if (box.holds(point.x(), point.y())) return VoxelState::occupied;
+		return VoxelState::free;
+	};
+}
+
+// The robot looks along +x at a wall at x = 0 with an opening of 1 m, its middle at y = 0.
+const DoorPlace kPlace{.center_in_map = {0, 0}, .normal_rad = std::numbers::pi, .width_m = 1.0};
+const Box kSeen{-6, 6, -4, 4};
+const Box kLeftWall{-0.06, 0.06, 0.5, 4}, kRightWall{-0.06, 0.06, -4, -0.5};
+
+std::optional<Verdict> objection(const std::vector<Box>& boxes, const Box& seen = kSeen)
+{
+	return objectionTo(kPlace, 0.95, mapOf(boxes, seen), {}, {});
+}
+
+TEST(DoorMapCheck, AnOpenDoorwayIsNoReasonToObject)
+{
+	EXPECT_FALSE(objection({kLeftWall, kRightWall}));
+	EXPECT_NEAR(mappedClearWidth(kPlace, mapOf({kLeftWall, kRightWall}, kSeen), {}, {}), 1.0, 1e-9);
+}
+
+TEST(DoorMapCheck, WhatWasNeverSeenIsNoReasonEither)
+{
+	EXPECT_FALSE(objectionTo(kPlace, 0.95, mapOf({}, {9, 9, 9, 9}), {}, {}));
+}
+
+TEST(DoorMapCheck, TheBackOfAWallSeenFromElsewhereBlocksIt)
+{
+	EXPECT_EQ(objection({kLeftWall, kRightWall, {0.1, 0.2, -4, 4}}), Verdict::blocked);
+}
+
+TEST(DoorMapCheck, WhatLeavesRoomEnoughDoesNot)
+{
+	const Box leaf{0.0, 0.25, 0.3, 0.5};
+	EXPECT_FALSE(objection({kLeftWall, kRightWall, leaf}));
+	EXPECT_NEAR(mappedClearWidth(kPlace, mapOf({leaf}, kSeen), {}, {}), 0.8, 0.051);
+	const Box post{0.0, 0.25, -0.1, 0.1};
+	EXPECT_EQ(objection({kLeftWall, kRightWall, post}), Verdict::blocked) << "0.4 m on either side";
+}
+
+TEST(DoorMapCheck, WhatIsHigherThanTheRobotIsNotInItsWay)
+{
+	const auto high = [](const Eigen::Vector3d& point)
+	{ return point.z() > 0.7 ? VoxelState::occupied : VoxelState::free; };
+	EXPECT_NEAR(mappedClearWidth(kPlace, high, {}, {}), 1.0, 1e-9);
+	RobotConfig tall;
+	tall.height_m = 1.2;
+	EXPECT_EQ(mappedClearWidth(kPlace, high, tall, {}), 0.0);
+}
+
+/** A room in front with a cupboard, a table and its walls. */
+const std::vector<Box> kRoom{{-3.1, -2.9, -2.5, 2.5}, {-2.2, -1.8, 0.6, 1.4}, {-1.6, -1.2, -1.4, -0.7}};
+
+std::vector<Box> withImage(std::vector<Box> boxes, double shift_m = 0)
+{
+	const std::size_t count = boxes.size();
+	for (std::size_t i = 0; i < count; ++i)
+		boxes.push_back({-boxes[i].x_max + shift_m, -boxes[i].x_min + shift_m, boxes[i].y_min, boxes[i].y_max});
+	boxes.push_back(kLeftWall);
+	boxes.push_back(kRightWall);
+	return boxes;
+}
+
+TEST(DoorMapCheck, AMirrorImageOfTheRoomIsNoDoor)
+{
+	EXPECT_EQ(objection(withImage(kRoom)), Verdict::unknown);
+}
+
+TEST(DoorMapCheck, AnotherRoomIsNoMirrorImage)
+{
+	std::vector<Box> boxes = kRoom;
+	boxes.insert(boxes.end(), {kLeftWall, kRightWall, {2.2, 2.4, -2.5, 2.5}, {0.8, 1.4, -1.4, -0.9}});
+	EXPECT_FALSE(objection(boxes));
+	EXPECT_FALSE(objection(withImage(kRoom, 0.4))) << "an image that is not where a mirror's would be";
+}
+
+TEST(DoorMapCheck, ACorridorThatGoesOnIsNoMirrorImage)
+{
+	const Box left{-5, 5, 0.85, 1.15}, right{-5, 5, -1.15, -0.85};
+	EXPECT_FALSE(objection({kLeftWall, kRightWall, left, right}));
+	const MirrorImage image = mirrorImageOf(kPlace, mapOf({kLeftWall, kRightWall, left, right}, kSeen), {});
+	EXPECT_GT(image.share, 0.95) << "although its walls are each other's images";
+	EXPECT_LT(image.contrast, 0.1);
+}
+}  // namespace
+}  // namespace explore::test

@@ -1,0 +1,484 @@
+#include <explore/memory/door_tracks.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "door_looks.h"
+
+namespace explore::test
+{
+namespace
+{
+const RobotConfig kRobot;
+const DoorTrackConfig kConfig;
+const KnownDoor kDoor{{3, 0}, std::numbers::pi};
+
+/** Looks from places 0.3 m apart, sideways, from 3 m away. */
+class Scout
+{
+public:
+	std::vector<int> look(const std::vector<Door>& doors_in_robot)
+	{
+		return update(tracks, lookAt(doors_in_robot, where(), t_s), kRobot, kConfig);
+	}
+	std::vector<int> lookAtDoors(const std::vector<KnownDoor>& doors)
+	{
+		++step;
+		t_s += 0.5;
+		std::vector<Door> reports;
+		for (const KnownDoor& door : doors) reports.push_back(reportOf(door, where()));
+		return look(reports);
+	}
+	void lookAtDoors(const std::vector<KnownDoor>& doors, int times)
+	{
+		for (int i = 0; i < times; ++i) lookAtDoors(doors);
+	}
+	[[nodiscard]] Eigen::Isometry3d where() const { return moved * robotAt(0, step % 2 == 0 ? 0.15 : -0.15, 0); }
+
+	DoorTracks tracks;
+	Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+	int step = 0;
+	double t_s = 0;
+};
+
+KnownDoor with(KnownDoor door, Verdict verdict)
+{
+	door.verdict = verdict;
+	return door;
+}
+
+TEST(DoorTracks, ThreeLooksConfirmADoor)
+{
+	Scout scout;
+	EXPECT_EQ(scout.lookAtDoors({kDoor}), std::vector<int>{1});
+	EXPECT_FALSE(scout.tracks.tracks.at(0).existence.confirmed);
+	scout.lookAtDoors({kDoor}, 2);
+	EXPECT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	const auto doors = confirmedDoors(scout.tracks, robotAt(1, 0, 0).inverse());
+	ASSERT_EQ(doors.size(), 1U);
+	EXPECT_LT((doors[0].center - Eigen::Vector3d(2, 0, 1)).norm(), 1e-6);
+	EXPECT_NEAR(doors[0].normal.x(), -1, 1e-9);
+	EXPECT_EQ(doors[0].verdict, Verdict::open);
+	EXPECT_EQ(doors[0].track, 1);
+	EXPECT_NEAR(confirmedDoors(scout.tracks, robotAt(5, 0, 0).inverse()).at(0).normal.x(), 1, 1e-9) << "from behind";
+}
+
+TEST(DoorTracks, FramesBetweenLooksAreNumberedButDoNotCount)
+{
+	Scout scout;
+	scout.lookAtDoors({kDoor});
+	for (int i = 0; i < 10; ++i)
+	{
+		scout.t_s += 0.01;
+		EXPECT_EQ(scout.look({reportOf(kDoor, scout.where())}), std::vector<int>{1});
+	}
+	EXPECT_EQ(scout.tracks.tracks.at(0).existence.looks, 1);
+}
+
+TEST(DoorTracks, AFalseAlarmIsForgotten)
+{
+	Scout scout;
+	scout.lookAtDoors({kDoor});
+	scout.lookAtDoors({}, 2);
+	EXPECT_TRUE(confirmedDoors(scout.tracks, Eigen::Isometry3d::Identity()).empty());
+	scout.lookAtDoors({}, 20);
+	EXPECT_TRUE(scout.tracks.tracks.empty());
+}
+
+TEST(DoorTracks, OutOfSightIsNotOutOfMind)
+{
+	Scout scout;
+	scout.lookAtDoors({kDoor}, 4);
+	for (int i = 0; i < 100; ++i)
+		update(scout.tracks, lookAt({}, robotAt(0, 0, std::numbers::pi), 100 + i), kRobot, kConfig);
+	EXPECT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	scout.lookAtDoors({}, 20);
+	EXPECT_TRUE(scout.tracks.tracks.empty()) << "but a place where it should be seen and is not";
+}
+
+TEST(DoorTracks, AnUnconfirmedOneOutOfSightIsForgottenWithTimeOrWay)
+{
+	Scout by_time, by_way;
+	by_time.lookAtDoors({kDoor}, 2);
+	by_way.lookAtDoors({kDoor}, 2);
+	update(by_time.tracks, lookAt({}, robotAt(0, 0, std::numbers::pi), 50), kRobot, kConfig);
+	EXPECT_EQ(by_time.tracks.tracks.size(), 1U);
+	update(by_time.tracks, lookAt({}, robotAt(0, 0, std::numbers::pi), 70), kRobot, kConfig);
+	EXPECT_TRUE(by_time.tracks.tracks.empty());
+	update(by_way.tracks, lookAt({}, robotAt(-4, 0, std::numbers::pi), 5), kRobot, kConfig);
+	EXPECT_EQ(by_way.tracks.tracks.size(), 1U);
+	update(by_way.tracks, lookAt({}, robotAt(-6, 0, std::numbers::pi), 6), kRobot, kConfig);
+	EXPECT_TRUE(by_way.tracks.tracks.empty());
+}
+
+TEST(DoorTracks, ADoorThatIsShutIsBelievedAfterSomeLooks)
+{
+	Scout scout;
+	scout.lookAtDoors({kDoor}, 20);
+	scout.lookAtDoors({with(kDoor, Verdict::closed)});
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
+	scout.lookAtDoors({with(kDoor, Verdict::closed)}, 9);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::closed);
+	EXPECT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	scout.lookAtDoors({kDoor}, 10);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
+	EXPECT_EQ(scout.tracks.tracks.at(0).number, 1);
+}
+
+TEST(DoorTracks, AFlushLeafOfWhichThereIsNoReportShutsItToo)
+{
+	Scout scout;
+	scout.lookAtDoors({kDoor}, 20);
+	int looks = 0;
+	for (; looks < 20 && !scout.tracks.tracks.empty() && isPassable(verdictOf(scout.tracks.tracks[0])); ++looks)
+	{
+		++scout.step;
+		scout.t_s += 0.5;
+		DoorLook look = lookAt({}, scout.where(), scout.t_s);
+		look.view = [](const DoorPlace&) { return std::optional(DoorView{0, 1}); };
+		update(scout.tracks, look, kRobot, kConfig);
+	}
+	EXPECT_GE(looks, 2);
+	EXPECT_LE(looks, 8);
+}
+
+TEST(DoorTracks, AnOpeningThatIsSeenThroughOutlivesManyMissingReports)
+{
+	Scout through, shut;
+	through.lookAtDoors({kDoor}, 5);
+	shut.lookAtDoors({kDoor}, 5);
+	int lived_through = 0, lived_shut = 0;
+	for (int i = 0; i < 60; ++i)
+	{
+		++through.step;
+		through.t_s += 0.5;
+		DoorLook look = lookAt({}, through.where(), through.t_s);
+		look.view = [](const DoorPlace&) { return std::optional(DoorView{1, 0}); };
+		update(through.tracks, look, kRobot, kConfig);
+		look.view = [](const DoorPlace&) { return std::optional(DoorView{0, 0}); };
+		update(shut.tracks, look, kRobot, kConfig);
+		lived_through += through.tracks.tracks.empty() ? 0 : 1;
+		lived_shut += shut.tracks.tracks.empty() ? 0 : 1;
+	}
+	EXPECT_GT(lived_through, lived_shut + lived_shut / 2);
+}
+
+TEST(DoorTracks, DoorsSideBySideStayTwoAndReportsOfOneBecomeOne)
+{
+	const KnownDoor left{{3, 0.45}, std::numbers::pi, 0.8}, right{{3, -0.45}, std::numbers::pi, 0.8};
+	Scout scout;
+	Dice dice(2);
+	for (int i = 0; i < 30; ++i)
+	{
+		++scout.step;
+		scout.t_s += 0.5;
+		const std::vector<int> numbers =
+		    scout.look({noisyReport(left, scout.where(), dice), noisyReport(right, scout.where(), dice)});
+		ASSERT_EQ(numbers, (std::vector<int>{1, 2})) << i;
+	}
+	EXPECT_EQ(scout.tracks.tracks.size(), 2U);
+
+	Scout other;
+	KnownDoor off = kDoor;
+	off.center_in_map += Eigen::Vector2d(0.45, 0.1);
+	other.lookAtDoors({kDoor}, 3);
+	other.tracks.tracks[0].center_covariance *= 1e-3;
+	other.lookAtDoors({off}, 3);
+	ASSERT_EQ(other.tracks.tracks.size(), 2U) << "too far behind to be the same";
+	off.center_in_map.x() -= 0.3;
+	other.lookAtDoors({off}, 6);
+	ASSERT_EQ(other.tracks.tracks.size(), 1U);
+	EXPECT_EQ(other.tracks.tracks[0].number, 1);
+}
+
+TEST(DoorTracks, APoseCorrectionMovesThemAll)
+{
+	const std::vector<KnownDoor> doors{kDoor, {{2.5, 1.1}, 240 * kDegree}};
+	Scout scout;
+	scout.lookAtDoors(doors, 6);
+	const DoorTracks before = scout.tracks;
+	scout.moved = robotAt(0.4, -0.3, 10 * kDegree);  // 0.5 m and 10°
+	correct(scout.tracks, scout.moved);
+	for (std::size_t i = 0; i < doors.size(); ++i)
+	{
+		const DoorTrack &now = scout.tracks.tracks.at(i), &then = before.tracks.at(i);
+		const Eigen::Vector3d center =
+		    scout.moved * Eigen::Vector3d(then.place.center_in_map.x(), then.place.center_in_map.y(), 0);
+		EXPECT_LT((now.place.center_in_map - center.head<2>()).norm(), 1e-9);
+		EXPECT_NEAR(wrapToPi(now.place.normal_rad - then.place.normal_rad), 10 * kDegree, 1e-9);
+		EXPECT_NEAR(now.center_covariance.determinant(), then.center_covariance.determinant(), 1e-12);
+	}
+	std::vector<Door> reports;
+	++scout.step;
+	scout.t_s += 0.5;
+	for (const KnownDoor& door : doors)
+		reports.push_back(reportOf(door, robotAt(0, scout.step % 2 == 0 ? 0.15 : -0.15, 0)));
+	EXPECT_EQ(scout.look(reports), (std::vector<int>{1, 2})) << "the next look finds them where they are";
+	EXPECT_EQ(scout.tracks.tracks.size(), 2U);
+	EXPECT_FALSE(scout.tracks.tracks[0].visited) << "the jump was no way through a door";
+}
+
+TEST(DoorTracks, ADoorThatTheRobotWentThroughIsVisited)
+{
+	Scout scout;
+	scout.lookAtDoors({kDoor, {{3, 2}, std::numbers::pi}}, 3);
+	for (int i = 0; i < 40; ++i)
+		update(scout.tracks, lookAt({}, robotAt(0.1 * i, 0.1, std::numbers::pi), 10 + 0.1 * i), kRobot, kConfig);
+	EXPECT_TRUE(scout.tracks.tracks.at(0).visited);
+	EXPECT_FALSE(scout.tracks.tracks.at(1).visited);
+}
+
+TEST(DoorTracks, TheMapObjectsToAMirror)
+{
+	// What stands 2 m in front of the wall at x = 3 stands 2 m behind it, too; corridor walls would not tell.
+	const OccupancyQuery mirror = [](const Eigen::Vector3d& point)
+	{
+		const double away_m = std::abs(point.x() - 3);
+		return away_m > 1.9 && away_m < 2.1 ? VoxelState::occupied : VoxelState::free;
+	};
+	Scout scout;
+	for (int i = 0; i < 6; ++i)
+	{
+		++scout.step;
+		scout.t_s += 0.5;
+		const std::vector<Door> reports{reportOf(kDoor, scout.where())};
+		DoorLook look = lookAt(reports, scout.where(), scout.t_s);
+		look.occupancy = mirror;
+		update(scout.tracks, look, kRobot, kConfig);
+		for (const Door& door : confirmedDoors(scout.tracks, Eigen::Isometry3d::Identity()))
+		{
+			EXPECT_FALSE(isPassable(door.verdict));
+			EXPECT_LT(*door.confidence, 0.5);
+		}
+	}
+}
+
+TEST(DoorTracks, AnOpeningInAWallWithoutThicknessIsAMirrorUntilTheRobotWentThrough)
+{
+	Scout scout;
+	const auto look_with = [&](double thickness_m)
+	{
+		++scout.step;
+		scout.t_s += 0.5;
+		const std::vector<Door> reports{reportOf(kDoor, scout.where())};
+		DoorLook look = lookAt(reports, scout.where(), scout.t_s);
+		look.reveal = [thickness_m](const DoorPlace&) { return RevealRows{10, 10 * thickness_m}; };
+		update(scout.tracks, look, kRobot, kConfig);
+	};
+	for (int i = 0; i < 5; ++i) look_with(0.005);
+	ASSERT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::unknown);
+	scout.tracks.tracks[0].visited = true;
+	look_with(0.005);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::open);
+
+	scout = {};
+	for (int i = 0; i < 5; ++i) look_with(0.1);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
+}
+
+TEST(DoorTracks, MemoryIsBoundedAndTheLeastSureGoFirst)
+{
+	DoorTrackConfig small;
+	small.max_tracks = 5;
+	Scout scout;
+	scout.lookAtDoors({kDoor}, 4);
+	for (int i = 0; i < 50; ++i)
+	{
+		const std::vector<Door> reports{reportOf({{3, 2.0 + 3 * i}, std::numbers::pi}, scout.where())};
+		DoorLook look = lookAt(reports, scout.where(), scout.t_s + i * 0.5);
+		look.view = {};
+		update(scout.tracks, look, kRobot, small);
+		ASSERT_LE(scout.tracks.tracks.size(), 5U);
+	}
+	EXPECT_EQ(scout.tracks.tracks.at(0).number, 1);
+}
+
+/** A drive along a corridor with doors on both sides, the camera turning this way and that. */
+struct Drive
+{
+	static constexpr int kFrames = 600;
+	static Eigen::Isometry3d at(int frame)
+	{
+		return robotAt(0.04 * frame, 0.2 * std::sin(0.03 * frame), 45 * kDegree * std::sin(0.05 * frame));
+	}
+};
+
+std::vector<KnownDoor> corridorDoors(Dice& dice)
+{
+	std::vector<KnownDoor> doors;
+	for (int i = 0; i < 16; ++i)
+	{
+		const double x_m = 2 + 1.4 * i + dice.uniform(-0.15, 0.15), side = i % 2 == 0 ? 1 : -1;
+		const bool shut = i % 5 == 4;
+		doors.push_back(
+		    {{x_m, 1.2 * side}, -side * 90 * kDegree, dice.uniform(0.75, 1.1), shut ? Verdict::closed : Verdict::open});
+	}
+	return doors;
+}
+
+/** Reports as a detector that is right most of the time would make them. */
+std::vector<Door> frameOf(const std::vector<KnownDoor>& doors, const Eigen::Isometry3d& map_from_robot, Dice& dice)
+{
+	std::vector<Door> reports;
+	for (const KnownDoor& door : doors)
+	{
+		if (!isInView(placeOf(door), map_from_robot) || !dice.chance(0.93)) continue;
+		Door report = noisyReport(door, map_from_robot, dice);
+		if (dice.chance(0.04))
+		{
+			report.verdict = isPassable(door.verdict) ? Verdict::blocked : Verdict::open;
+			report.confidence = isPassable(door.verdict) ? 0.3 : 0.6;
+		}
+		reports.push_back(report);
+	}
+	if (dice.chance(0.03))
+	{
+		const KnownDoor nothing{{map_from_robot.translation().x() + dice.uniform(1, 4), dice.uniform(-1.2, 1.2)},
+		                        dice.uniform(-3, 3)};
+		Door report = noisyReport(nothing, map_from_robot, dice);
+		report.confidence = dice.uniform(0.5, 0.95);
+		reports.push_back(report);
+	}
+	return reports;
+}
+
+struct Score
+{
+	int due = 0, found = 0;       ///< open doors that were looked at five times; of those confirmed by then
+	int passable = 0, right = 0;  ///< confirmed tracks that can be passed, in all frames; at an open door
+	int doubles = 0;              ///< tracks beyond the first at one door, in the last frame
+	double error_m = 0;           ///< largest distance of a track from its door in the last frame
+};
+
+bool isAt(const DoorTrack& track, const KnownDoor& door)
+{
+	return (track.place.center_in_map - door.center_in_map).norm() < 0.3 &&
+	       std::abs(track.place.width_m - door.width_m) < 0.25;
+}
+
+bool isPassableTrack(const DoorTrack& track)
+{
+	return track.existence.confirmed && isPassable(verdictOf(track));
+}
+
+void scoreFrame(const DoorTracks& tracks, const std::vector<KnownDoor>& doors, Score& score)
+{
+	for (const DoorTrack& track : tracks.tracks)
+	{
+		if (!isPassableTrack(track)) continue;
+		++score.passable;
+		score.right += std::ranges::any_of(
+		                   doors, [&](const KnownDoor& door) { return isPassable(door.verdict) && isAt(track, door); })
+		                   ? 1
+		                   : 0;
+	}
+}
+
+void scoreEnd(const DoorTracks& tracks, const std::vector<KnownDoor>& doors, Score& score)
+{
+	for (const KnownDoor& door : doors)
+	{
+		int near = 0;
+		for (const DoorTrack& track : tracks.tracks)
+		{
+			const double distance_m = (track.place.center_in_map - door.center_in_map).norm();
+			if (!track.existence.confirmed || distance_m > 0.5) continue;
+			++near;
+			score.error_m = std::max(score.error_m, distance_m);
+		}
+		score.doubles += std::max(0, near - 1);
+	}
+}
+
+Score scoreOf(std::uint32_t seed)
+{
+	Dice dice(seed);
+	const std::vector<KnownDoor> doors = corridorDoors(dice);
+	std::vector<int> looks(doors.size(), 0);
+	DoorTracks tracks;
+	Score score;
+	for (int frame = 0; frame < Drive::kFrames; ++frame)
+	{
+		const Eigen::Isometry3d map_from_robot = Drive::at(frame);
+		const std::vector<Door> reports = frameOf(doors, map_from_robot, dice);
+		update(tracks, lookAt(reports, map_from_robot, 0.2 * frame), kRobot, kConfig);
+		scoreFrame(tracks, doors, score);
+		for (std::size_t i = 0; i < doors.size(); ++i)
+		{
+			if (!isPassable(doors[i].verdict) || !isInView(placeOf(doors[i]), map_from_robot) || ++looks[i] != 5)
+				continue;
+			++score.due;
+			score.found += std::ranges::any_of(tracks.tracks, [&](const DoorTrack& track)
+			                                   { return isPassableTrack(track) && isAt(track, doors[i]); })
+			                   ? 1
+			                   : 0;
+		}
+	}
+	scoreEnd(tracks, doors, score);
+	return score;
+}
+
+TEST(DoorTracks, ADriveAlongNoisyReportsEndsWithTheTrueDoors)
+{
+	Score all;
+	constexpr std::uint32_t kSeeds = 20;
+	for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
+	{
+		const Score score = scoreOf(seed);
+		all.due += score.due;
+		all.found += score.found;
+		all.passable += score.passable;
+		all.right += score.right;
+		all.doubles += score.doubles;
+		all.error_m = std::max(all.error_m, score.error_m);
+	}
+	EXPECT_GE(all.due, 200);
+	RecordProperty("recall", std::to_string(all.found) + "/" + std::to_string(all.due));
+	RecordProperty("precision", std::to_string(all.right) + "/" + std::to_string(all.passable));
+	EXPECT_GE(all.found, 0.99 * all.due) << all.found << " of " << all.due;
+	EXPECT_GE(all.right, 0.998 * all.passable) << all.right << " of " << all.passable;
+	EXPECT_EQ(all.doubles, 0);
+	EXPECT_LT(all.error_m, 0.1);
+}
+
+TEST(DoorTracks, TheSameLooksMakeTheSameTracks)
+{
+	const auto run = []
+	{
+		Dice dice(5);
+		const std::vector<KnownDoor> doors = corridorDoors(dice);
+		DoorTracks tracks;
+		std::vector<double> numbers;
+		for (int frame = 0; frame < 200; ++frame)
+		{
+			const auto reports = frameOf(doors, Drive::at(frame), dice);
+			for (const int number : update(tracks, lookAt(reports, Drive::at(frame), 0.2 * frame), kRobot, kConfig))
+				numbers.push_back(number);
+		}
+		for (const DoorTrack& track : tracks.tracks)
+			numbers.insert(numbers.end(),
+			               {track.place.center_in_map.x(), track.place.width_m, track.existence.log_odds});
+		return numbers;
+	};
+	EXPECT_EQ(run(), run());
+}
+
+TEST(DoorTracks, EveryReportHasATrackThatExists)
+{
+	Dice dice(9);
+	const std::vector<KnownDoor> doors = corridorDoors(dice);
+	DoorTracks tracks;
+	for (int frame = 0; frame < 300; ++frame)
+	{
+		const auto reports = frameOf(doors, Drive::at(frame), dice);
+		const auto numbers = update(tracks, lookAt(reports, Drive::at(frame), 0.2 * frame), kRobot, kConfig);
+		ASSERT_EQ(numbers.size(), reports.size());
+		for (const int number : numbers)
+			EXPECT_EQ(std::ranges::count(tracks.tracks, number, &DoorTrack::number), 1) << "frame " << frame;
+		EXPECT_TRUE(std::ranges::is_sorted(tracks.tracks, {}, &DoorTrack::number));
+	}
+}
+}  // namespace
+}  // namespace explore::test
