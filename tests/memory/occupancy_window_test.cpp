@@ -69,7 +69,7 @@ TEST(OccupancyWindow, StatesAreTheSameInsideAndOutside)
 		for (int y = 0; y < box.size.y(); ++y)
 			for (int x = 0; x < box.size.x(); ++x)
 			{
-				const auto key = [](int first, int i) { return static_cast<octomap::key_type>(first + i); };
+				const auto key = [](int first, int steps) { return static_cast<octomap::key_type>(first + steps); };
 				const octomap::OcTreeKey voxel(key(box.first[0], x), key(box.first[1], y), key(box.first[2], z));
 				const VoxelState state = box.states[i++];
 				const octomap::OcTreeNode* node = tree.search(voxel);
