@@ -18,8 +18,8 @@ std::string_view nameOf(GoalKind kind)
 
 std::string_view nameOf(StopReason reason)
 {
-	static constexpr std::array<std::string_view, 6> kNames{
-	    "none", "empty_frame", "stale_frame", "near_obstacle_lost", "path_too_short", "no_direction"};
+	static constexpr std::array<std::string_view, 7> kNames{
+	    "none", "empty_frame", "stale_frame", "near_obstacle_lost", "path_too_short", "no_direction", "finished"};
 	return kNames[static_cast<std::size_t>(reason)];
 }
 }  // namespace explore

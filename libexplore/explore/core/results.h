@@ -142,6 +142,7 @@ enum class StopReason
 	near_obstacle_lost,  ///< an obstacle slipped under the sensor's minimum range
 	path_too_short,      ///< open path below the stopping distance
 	no_direction,        ///< the avoider found no way
+	finished,            ///< the exploration is over
 };
 [[nodiscard]] std::string_view nameOf(StopReason reason);
 

@@ -2,7 +2,6 @@
 #include <explore/navigation/level_frame.h>
 
 #include <algorithm>
-#include <array>
 
 namespace explore
 {
@@ -34,13 +33,6 @@ const VanishingPoint* strongest(const std::vector<VanishingPoint>& points)
 }
 }  // namespace
 
-void describe(FieldVisitor& fields, GoalConfig& config)
-{
-	static constexpr std::array<std::string_view, 1> kPolicies{"paper"};
-	fields.section("goal", "Where the robot wants to go");
-	fields.choice("policy", config.policy, kPolicies, "paper: nearest door, else vanishing point, else straight on");
-}
-
 bool fitsThrough(const Door& door, const RobotConfig& robot)
 {
 	const bool passable =
@@ -51,7 +43,7 @@ bool fitsThrough(const Door& door, const RobotConfig& robot)
 	return passable && high && door.clear_width_m >= 2.0 * robot.radius_m + kDoorMargin_m;
 }
 
-GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot, const GoalConfig& /*config*/)
+GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot)
 {
 	const auto ground = percepts.ground ? std::optional(percepts.ground->plane) : std::nullopt;
 	const Eigen::Matrix3d level_from_robot = levelFrame(ground).level_from_robot;

@@ -1,24 +1,11 @@
 // Which direction the robot wants (θ_d): the paper's nearest door, else vanishing point, else straight on.
 #pragma once
 
-#include <explore/config/fields.h>
 #include <explore/core/results.h>
 #include <explore/core/robot.h>
 
 namespace explore
 {
-enum class GoalPolicy
-{
-	paper
-};
-
-struct GoalConfig
-{
-	GoalPolicy policy = GoalPolicy::paper;
-};
-/** [goal] */
-void describe(FieldVisitor& fields, GoalConfig& config);
-
 struct GoalChoice
 {
 	Goal goal;                                  ///< door, corridor (the vanishing point) or none
@@ -34,5 +21,5 @@ struct GoalChoice
 /** The paper's policy: θ_d = θ_o where a door was found, else θ_v, else 0 (straight on). The
  *  door is the nearest that fitsThrough(), by the horizontal distance of its centre. Azimuths are about the floor's
  *  normal. */
-GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot, const GoalConfig& config);
+GoalChoice chooseGoal(const Percepts& percepts, const RobotConfig& robot);
 }  // namespace explore

@@ -1,11 +1,16 @@
+#include <explore/navigation/map_obstacles.h>
 #include <explore/perception/perceive.h>
 #include <explore/pipeline/explorer.h>
+#include <explore/pipeline/intent.h>
 #include <mrpt/system/datetime.h>
 
 namespace explore
 {
 namespace
 {
+/** The avoider asks the map this far around the robot. */
+constexpr double kAround_m = 2.0;
+
 /** The floor of this frame, else the last one that was seen. */
 std::optional<Ground> groundToReport(const std::optional<Ground>& seen, std::optional<Ground> last)
 {
@@ -14,21 +19,42 @@ std::optional<Ground> groundToReport(const std::optional<Ground>& seen, std::opt
 	return last;
 }
 
-/** `sight` must outlive the result. */
-AvoiderInput avoiderInput(const DepthFrame& frame, const SightLines& sight, const Percepts& percepts,
-                          const GoalChoice& choice, const RobotConfig& robot)
+/** The memory that this frame is fused into: none without a pose, which says where it belongs. */
+FrontierMemory* memoryFor(const DepthFrame& frame, ExplorerState& state, const ExplorerConfig& config)
+{
+	const bool fuses = config.memory.enabled && config.perception.method == PerceptionMethod::full;
+	if (!fuses || frame.pose_origin == PoseOrigin::none) return nullptr;
+	if (!state.memory) state.memory = std::make_unique<FrontierMemory>(config.memory, config.robot);
+	return state.memory.get();
+}
+
+/** What stands around the robot: as this frame shows it, and as the memory has it. */
+PointCloud obstaclesAround(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
+                           const ExplorerConfig& config)
+{
+	PointCloud all = percepts.obstacles_in_robot;
+	if (memory == nullptr) return all;
+	const PointCloud known = mapObstacles(memory->layers, isometryOf(frame.map_from_robot), config.robot, kAround_m);
+	for (std::size_t i = 0; i < known.size(); ++i) all.push_back(known[i]);
+	return all;
+}
+
+/** `sight` and `obstacles` must outlive the result. A memory knows what was not seen, and says so in `obstacles`. */
+AvoiderInput avoiderInput(const DepthFrame& frame, const SightLines* sight, const PointCloud& obstacles,
+                          const Percepts& percepts, const Intent& intent, const RobotConfig& robot)
 {
 	AvoiderInput input;
-	input.sight = &sight;
+	input.sight = sight;
 	input.up_in_robot =
 	    frame.up_in_robot.value_or(percepts.ground ? percepts.ground->plane.normal : Eigen::Vector3d::UnitZ());
-	input.obstacles_in_robot = &percepts.obstacles_in_robot;
+	input.obstacles_in_robot = &obstacles;
 	input.sensor_in_robot = isometryOf(frame.robot_from_camera).translation();
 	// A ground robot takes its floor along; a MAV has moved against the floor it saw earlier.
 	if (percepts.ground && (percepts.ground->seen || robot.kind == RobotKind::ground))
 		input.ground = percepts.ground->plane;
-	input.desired_rad = choice.desired_rad;
-	if (choice.goal.point_in_robot) input.goal_distance_m = choice.goal.point_in_robot->head<2>().norm();
+	input.desired_rad = intent.choice.desired_rad;
+	input.desired_elevation_rad = intent.steering.desired_elevation_rad;
+	input.goal_distance_m = intent.steering.goal_distance_m;
 	return input;
 }
 
@@ -38,8 +64,20 @@ StopReason reasonToStop(const DepthFrame& frame, const Percepts& percepts, const
 	if (percepts.near_field.valid_pixels < static_cast<std::size_t>(config.heading.min_valid_pixels))
 		return StopReason::empty_frame;
 	if (state.last_timestamp && frame.timestamp <= *state.last_timestamp) return StopReason::stale_frame;
-	if (obstacleLost(state.guard)) return StopReason::near_obstacle_lost;
+	// The map remembers what slipped under the sensor's range.
+	if (!state.memory && obstacleLost(state.guard)) return StopReason::near_obstacle_lost;
 	return StopReason::none;
+}
+
+/** A turn on the spot and a step back need no view of what is ahead; all else is stopped by what forbids it. */
+Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason forbidden, double speed_mps,
+                  const ExplorerConfig& config)
+{
+	if (intent.finished) forbidden = StopReason::finished;
+	const bool manoeuvres = intent.steering.turns || intent.steering.backs_off;
+	if (manoeuvres && forbidden != StopReason::finished && forbidden != StopReason::stale_frame)
+		return manoeuvre(intent.choice, intent.steering, config.robot);
+	return decide(intent.choice, avoidance, forbidden, speed_mps, config.robot, config.heading);
 }
 
 /** The speed that the robot still has: none after a gap in which its watchdog must have stopped it. */
@@ -63,19 +101,27 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 	result.percepts.ground = groundToReport(result.percepts.ground, state.last_ground);
 	done("perceive");
 
-	const GoalChoice choice = chooseGoal(result.percepts, config.robot, config.goal);  // lines 26–27: θ_o, θ_v → θ_d
+	FrontierMemory* const memory = memoryFor(frame, state, config);
+	if (memory != nullptr) remember(*memory, frame, result.percepts, config.robot, config.memory);
+	done("remember");
+
+	const Intent intent =
+	    intend(frame, result.percepts, memory, state.mission, state.steering, config);  // lines 26–27: θ_o, θ_v → θ_d
+	result.finished = intent.finished;
 	done("choose");
 
 	const SightLines sight = sightLines(frame);
-	const Avoidance avoidance = avoid(avoiderInput(frame, sight, result.percepts, choice, config.robot), config.robot,
-	                                  config.avoider);  // line 28: θ_a
+	const PointCloud obstacles = obstaclesAround(frame, result.percepts, memory, config);
+	const Avoidance avoidance = avoid(avoiderInput(frame, memory == nullptr ? &sight : nullptr, obstacles,
+	                                               result.percepts, intent, config.robot),
+	                                  config.robot, config.avoider);  // line 28: θ_a
 	done("avoid");
 
 	state.guard = updateGuard(state.guard, result.percepts.near_field, config.perception.near_field.sensor_min_range_m,
 	                          config.near_field_guard);
-	const StopReason forbidden = reasonToStop(frame, result.percepts, state, config);
-	result.decision =
-	    decide(choice, avoidance, forbidden, speedNow(frame, state, config.heading), config.robot, config.heading);
+	result.decision = decideOn(intent, avoidance, reasonToStop(frame, result.percepts, state, config),
+	                           speedNow(frame, state, config.heading), config);
+	noteDecision(state.steering, result.decision, mrpt::Clock::toDouble(frame.timestamp));
 	done("heading");
 
 	state.last_ground = result.percepts.ground;

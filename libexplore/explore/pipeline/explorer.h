@@ -2,10 +2,13 @@
 #pragma once
 
 #include <explore/core/depth_frame.h>
+#include <explore/navigation/mission.h>
+#include <explore/navigation/steering.h>
 #include <explore/perception/perceive.h>
 #include <explore/pipeline/explorer_config.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -19,18 +22,22 @@ struct ExplorerState
 	PerceptionMemory perception;
 	NearFieldGuard guard;
 	double speed_mps = 0;  ///< last commanded
+	std::unique_ptr<FrontierMemory> memory;  ///< from the first frame with a pose on
+	Mission mission;
+	Steering steering;
 };
 
 struct StepResult
 {
 	Percepts percepts;
 	Decision decision;
+	bool finished = false;  ///< the exploration is over: nothing is left to do for the robot
 };
 
 /** Called when a stage has ended, with its name; lets the caller measure time without a clock in here. */
 using StageEnded = std::function<void(std::string_view stage)>;
 
-/** One frame: perceive → choose goal → avoid → heading. Deterministic; updates `state`. */
+/** One frame: perceive → remember → choose goal → avoid → heading. Deterministic; updates `state`. */
 StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerConfig& config,
                 const StageEnded& ended = {});
 }  // namespace explore

@@ -6,7 +6,8 @@ void describe(FieldVisitor& fields, ExplorerConfig& config)
 {
 	describe(fields, config.robot);
 	describe(fields, config.perception);
-	describe(fields, config.goal);
+	describe(fields, config.memory);
+	describe(fields, config.mission);
 	describe(fields, config.avoider);
 	describe(fields, config.heading);
 	describe(fields, config.near_field_guard);

@@ -1,3 +1,3 @@
 explore_layer(pipeline
-  SOURCES explorer_config.cpp explorer.cpp
+  SOURCES explorer_config.cpp intent.cpp explorer.cpp
   LINKS explore::navigation)

@@ -1,0 +1,107 @@
+#include <explore/navigation/left_over.h>
+
+#include <algorithm>
+#include <array>
+
+namespace explore
+{
+namespace
+{
+constexpr double kDoorReach_m = 0.8;
+constexpr double kDropReach_m = 0.3;
+/** Left-overs with the same reason and so near are one. */
+constexpr double kJoin_m = 1.0;
+
+/** The unknown cells beside a frontier, each once. */
+std::vector<CellIndex> unknownBeside(const PlanMap& map, const FrontierCluster& cluster)
+{
+	static constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+	std::vector<CellIndex> cells;
+	for (const std::size_t cell : cluster.cells)
+	{
+		const Eigen::Array3i place = map.placeOf(static_cast<CellIndex>(cell));
+		for (const auto& [dx, dy] : kBeside)
+		{
+			const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0);
+			if (map.contains(next) && map.cells[map.cellAt(next)] == CellState::unknown) cells.push_back(map.cellAt(next));
+		}
+	}
+	std::sort(cells.begin(), cells.end());
+	cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+	return cells;
+}
+
+/** What a door that cannot be passed says of what is behind it. */
+std::optional<LeftOverReason> reasonOfDoor(const FrontierMemory& memory, const Eigen::Vector2d& at)
+{
+	for (const DoorTrack& track : memory.doors.tracks)
+	{
+		if ((track.place.center_in_map - at).norm() > kDoorReach_m || !track.existence.confirmed) continue;
+		const Verdict verdict = verdictOf(track);
+		if (verdict == Verdict::closed || verdict == Verdict::blocked) return LeftOverReason::closed_door;
+		if (verdict == Verdict::unknown) return LeftOverReason::behind_glass;
+		if (verdict == Verdict::drop) return LeftOverReason::drop;
+	}
+	return std::nullopt;
+}
+
+bool isNearDrop(const PlanMap& map, CellIndex cell)
+{
+	const int reach = static_cast<int>(kDropReach_m / map.frame.resolution_m);
+	const Eigen::Array3i middle = map.placeOf(cell);
+	for (int dy = -reach; dy <= reach; ++dy)
+		for (int dx = -reach; dx <= reach; ++dx)
+		{
+			const Eigen::Array3i place = middle + Eigen::Array3i(dx, dy, 0);
+			if (map.contains(place) && map.cells[map.cellAt(place)] == CellState::drop) return true;
+		}
+	return false;
+}
+
+LeftOverReason reasonOf(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
+                        const AllowedArea& area, const FrontierCluster& cluster, CellIndex unknown)
+{
+	const Eigen::Vector2d at = map.middleOf(unknown).head<2>();
+	if (!area.inBounds(at)) return LeftOverReason::outside_bounds;
+	if (area.isKeptOut(at)) return LeftOverReason::kept_out;
+	if (isNearDrop(map, unknown)) return LeftOverReason::drop;
+	if (const auto door = reasonOfDoor(memory, at)) return *door;
+	if (map.wanted[unknown] != 0) return LeftOverReason::sealed;
+	const bool seen_across = std::none_of(cluster.cells.begin(), cluster.cells.end(),
+	                                      [&](std::size_t cell) { return field.reaches(static_cast<CellIndex>(cell)); });
+	const bool roomy = map.obstacle_m[unknown] >= map.fit_m;
+	return seen_across && roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
+}
+
+void join(std::vector<LeftOver>& all, const LeftOver& one)
+{
+	for (LeftOver& other : all)
+	{
+		if (other.why != one.why || (other.center_in_map - one.center_in_map).norm() > kJoin_m) continue;
+		const double area_m2 = other.area_m2 + one.area_m2;
+		other.center_in_map = (other.center_in_map * other.area_m2 + one.center_in_map * one.area_m2) / area_m2;
+		other.area_m2 = area_m2;
+		return;
+	}
+	all.push_back(one);
+}
+}  // namespace
+
+std::string_view nameOf(LeftOverReason reason)
+{
+	static constexpr std::array<std::string_view, 8> kNames{"sealed",       "too_narrow", "out_of_reach", "closed_door",
+	                                                        "behind_glass", "drop",       "kept_out",     "outside_bounds"};
+	return kNames.at(static_cast<std::size_t>(reason));
+}
+
+std::vector<LeftOver> leftOver(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
+                               const AllowedArea& area)
+{
+	std::vector<LeftOver> all;
+	const double cell_m2 = map.frame.resolution_m * map.frame.resolution_m;
+	for (const FrontierCluster& cluster : memory.frontiers.clusters())
+		for (const CellIndex cell : unknownBeside(map, cluster))
+			join(all, {map.middleOf(cell), cell_m2, reasonOf(map, memory, field, area, cluster, cell)});
+	return all;
+}
+}  // namespace explore

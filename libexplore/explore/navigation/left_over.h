@@ -1,0 +1,36 @@
+// What stayed unknown at the end of an exploration, and why.
+#pragma once
+
+#include <explore/memory/frontier_memory.h>
+#include <explore/navigation/look_targets.h>
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+namespace explore
+{
+enum class LeftOverReason
+{
+	sealed,          ///< looked at, and nothing came of it: no ray gets in
+	too_narrow,      ///< the robot does not fit
+	out_of_reach,    ///< seen across something, without a way there
+	closed_door,     ///< a door stands there that is closed or blocked
+	behind_glass,    ///< an opening from which nothing came back
+	drop,            ///< no floor
+	kept_out,        ///< in a keep-out polygon
+	outside_bounds,
+};
+[[nodiscard]] std::string_view nameOf(LeftOverReason reason);
+
+struct LeftOver
+{
+	Eigen::Vector3d center_in_map = Eigen::Vector3d::Zero();
+	double area_m2 = 0;  ///< of the unknown cells beside the frontier
+	LeftOverReason why = LeftOverReason::sealed;
+};
+
+/** The account: every frontier with its reason; neighbours with the same reason are one. */
+std::vector<LeftOver> leftOver(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
+                               const AllowedArea& area);
+}  // namespace explore

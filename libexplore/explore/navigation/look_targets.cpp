@@ -1,0 +1,111 @@
+#include <explore/navigation/look_targets.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace explore
+{
+namespace
+{
+/** Places to stand are tried this far apart, and up to this far from a frontier. */
+constexpr int kLattice_cells = 6;
+constexpr double kFarthest_m = 3.0;
+constexpr double kGoodShare = 0.6;
+
+LookTarget targetAt(const PlanMap& map, const TravelField& field, CellIndex cell, const WantedFrontier& frontier)
+{
+	LookTarget target;
+	target.stand_in_map = map.middleOf(cell);
+	target.frontier_in_map = frontier.middle_in_map;
+	const Eigen::Vector2d toward = (target.frontier_in_map - target.stand_in_map).head<2>();
+	target.look = {cell, std::atan2(toward.y(), toward.x())};
+	target.travel_m = field.costTo(cell);
+	return target;
+}
+
+/** Reachable places around a frontier's middle, on a lattice that stays where it is; all where `lattice` is 1. */
+template <class Visit>
+void forEachPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier, int lattice,
+                  const Visit& visit)
+{
+	const Eigen::Array3i middle = map.placeOf(map.cellOf(frontier.middle_in_map));
+	const int reach = static_cast<int>(kFarthest_m / map.frame.resolution_m);
+	const auto first = [&](int from) { return (from - reach + lattice - 1) / lattice * lattice; };
+	for (int y = first(middle.y()); y <= middle.y() + reach; y += lattice)
+		for (int x = first(middle.x()); x <= middle.x() + reach; x += lattice)
+		{
+			const Eigen::Array3i place(x, y, middle.z());
+			if (!map.contains(place) || (place - middle).matrix().squaredNorm() > reach * reach) continue;
+			const CellIndex cell = map.cellAt(place);
+			if (map.passable[cell] != 0 && field.reaches(cell)) visit(cell);
+		}
+}
+
+/** Whether `a` comes before `b` as a place to look from. */
+bool isCheaper(const LookTarget& a, const LookTarget& b)
+{
+	return a.travel_m != b.travel_m ? a.travel_m < b.travel_m : a.look.cell < b.look.cell;
+}
+}  // namespace
+
+std::vector<WantedFrontier> wantedFrontiers(const PlanMap& map, const std::vector<FrontierCluster>& clusters)
+{
+	std::vector<WantedFrontier> frontiers;
+	for (const FrontierCluster& cluster : clusters)
+	{
+		WantedFrontier frontier;
+		Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+		for (const CellIndex cell : cluster.cells)
+		{
+			if (map.near_wanted[cell] == 0) continue;
+			frontier.cells.push_back(cell);
+			sum += map.middleOf(cell);
+		}
+		if (frontier.cells.empty()) continue;
+		const Eigen::Vector3d mean = sum / static_cast<double>(frontier.cells.size());
+		const auto away = [&](CellIndex cell) { return (map.middleOf(cell) - mean).squaredNorm(); };
+		const auto nearest = std::min_element(frontier.cells.begin(), frontier.cells.end(),
+		                                      [&](CellIndex a, CellIndex b) { return away(a) < away(b); });
+		frontier.middle_in_map = map.middleOf(*nearest);
+		frontiers.push_back(std::move(frontier));
+	}
+	return frontiers;
+}
+
+std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                   const PlanConfig& config)
+{
+	std::vector<LookTarget> targets;
+	double best_gain_m2 = 0.0;
+	forEachPlace(map, field, frontier, kLattice_cells,
+	             [&](CellIndex cell)
+	             {
+		             LookTarget target = targetAt(map, field, cell, frontier);
+		             target.gain_m2 = lookGain(map, target.look, config);
+		             best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
+		             targets.push_back(target);
+	             });
+	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
+	std::erase_if(targets,
+	              [&](const LookTarget& target)
+	              { return target.gain_m2 < std::max(kGoodShare * best_gain_m2, config.min_gain_m2); });
+	return *std::min_element(targets.begin(), targets.end(), isCheaper);
+}
+
+std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                       const PlanConfig& config)
+{
+	std::optional<LookTarget> nearest;
+	double nearest_m = kFarthest_m;
+	forEachPlace(map, field, frontier, 1,
+	             [&](CellIndex cell)
+	             {
+		             const double away_m = (map.middleOf(cell) - frontier.middle_in_map).norm();
+		             if (away_m >= nearest_m) return;
+		             nearest_m = away_m;
+		             nearest = targetAt(map, field, cell, frontier);
+	             });
+	if (nearest) nearest->gain_m2 = lookGain(map, nearest->look, config);
+	return nearest && nearest->gain_m2 >= config.min_gain_m2 ? nearest : std::nullopt;
+}
+}  // namespace explore

@@ -1,0 +1,41 @@
+// Where to look next: for each frontier the place from which the robot sees most of what lies behind it.
+#pragma once
+
+#include <explore/memory/frontiers.h>
+#include <explore/navigation/look_gain.h>
+#include <explore/navigation/travel_field.h>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace explore
+{
+/** A frontier that is worth going to. */
+struct LookTarget
+{
+	Look look;                                                  ///< where to stand and how to turn
+	Eigen::Vector3d stand_in_map = Eigen::Vector3d::Zero();     ///< middle of the look's cell
+	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();  ///< middle of the frontier's cells that matter
+	double gain_m2 = 0;
+	double travel_m = 0;  ///< from the robot, as TravelField has it
+};
+
+/** A frontier as the planner needs it: its cells beside wanted space. */
+struct WantedFrontier
+{
+	std::vector<CellIndex> cells;
+	Eigen::Vector3d middle_in_map = Eigen::Vector3d::Zero();  ///< the cell nearest to the mean
+};
+/** Those of the clusters that have any, in their order. */
+std::vector<WantedFrontier> wantedFrontiers(const PlanMap& map, const std::vector<FrontierCluster>& clusters);
+
+/** The best look at a frontier from where the robot can get: of the places that show at least 60 % of what the best
+ * does, the one with the least way and turn. No value: no place shows min_gain_m2. */
+std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                   const PlanConfig& config);
+
+/** The reachable place nearest to a frontier, looking at it: where an explorer without looks would go. */
+std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                       const PlanConfig& config);
+}  // namespace explore

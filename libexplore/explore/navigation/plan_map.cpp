@@ -1,0 +1,178 @@
+#include <explore/navigation/capped_distance.h>
+#include <explore/navigation/plan_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace explore
+{
+namespace
+{
+/** Half the edge of a blocked spot. */
+constexpr double kBlocked_m = 0.15;
+constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+bool isObstacle(CellState state)
+{
+	return state == CellState::occupied || state == CellState::drop;
+}
+
+/** Distances [m] in each layer to the cells that `is` holds of. */
+template <class Is>
+std::vector<float> distances(const PlanMap& map, double limit_m, const Is& is)
+{
+	const GridSize size{map.frame.columns, map.frame.rows};
+	const int limit = std::clamp(static_cast<int>(std::ceil(limit_m / map.frame.resolution_m)), 1, 127);
+	std::vector<float> all;
+	all.reserve(map.cells.size());
+	std::vector<std::uint8_t> marked(map.layerCells());
+	for (std::size_t first = 0; first < map.cells.size(); first += map.layerCells())
+	{
+		for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = is(map.cells[first + i]) ? 1 : 0;
+		for (const float cells : cappedDistance(marked, size, limit))
+			all.push_back(cells * static_cast<float>(map.frame.resolution_m));
+	}
+	return all;
+}
+
+void markAllowed(PlanMap& map, const AllowedArea& area)
+{
+	map.allowed.assign(map.cells.size(), 1);
+	if (!area.bounded && area.keep_out.empty()) return;
+	for (std::size_t i = 0; i < map.cells.size(); ++i)
+		map.allowed[i] = area.allows(map.middleOf(static_cast<CellIndex>(i)).head<2>()) ? 1 : 0;
+}
+
+template <class Visit>
+void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
+{
+	const Eigen::Array3i place = map.placeOf(cell);
+	for (const auto& [dx, dy] : kBeside)
+		if (const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0); map.contains(next)) visit(map.cellAt(next));
+	for (const int dz : {-1, 1})
+		if (const Eigen::Array3i next = place + Eigen::Array3i(0, 0, dz); map.contains(next)) visit(map.cellAt(next));
+}
+
+void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
+{
+	const CellIndex middle = map.cellOf(spot_in_map);
+	if (middle == kNoCell) return;
+	const int reach = static_cast<int>(std::lround(kBlocked_m / map.frame.resolution_m));
+	for (int dy = -reach; dy <= reach; ++dy)
+		for (int dx = -reach; dx <= reach; ++dx)
+			if (const Eigen::Array3i place = map.placeOf(middle) + Eigen::Array3i(dx, dy, 0); map.contains(place))
+				map.blocked[map.cellAt(place)] = 1;
+}
+
+/** What the body might get to if all that is unknown were free. */
+std::vector<std::uint8_t> mightReach(const PlanMap& map, CellIndex start, double fit_m)
+{
+	std::vector<std::uint8_t> reached(map.cells.size(), 0);
+	if (start == kNoCell) return reached;
+	std::vector<CellIndex> open{start};
+	reached[start] = 1;
+	while (!open.empty())
+	{
+		const CellIndex cell = open.back();
+		open.pop_back();
+		forEachBeside(map, cell,
+		              [&](CellIndex next)
+		              {
+			              const bool fits = map.allowed[next] != 0 && map.obstacle_m[next] >= fit_m;
+			              if (reached[next] != 0 || !fits) return;
+			              reached[next] = 1;
+			              open.push_back(next);
+		              });
+	}
+	return reached;
+}
+
+void markWanted(PlanMap& map, CellIndex start)
+{
+	map.wanted = mightReach(map, start, map.fit_m);
+	map.near_wanted.assign(map.cells.size(), 0);
+	for (std::size_t i = 0; i < map.cells.size(); ++i)
+	{
+		if (map.cells[i] != CellState::unknown) map.wanted[i] = 0;
+		if (map.wanted[i] == 0) continue;
+		forEachBeside(map, static_cast<CellIndex>(i), [&](CellIndex next) { map.near_wanted[next] = 1; });
+	}
+}
+}  // namespace
+
+Eigen::Array3i PlanMap::placeOf(CellIndex cell) const
+{
+	const int in_layer = static_cast<int>(cell % layerCells());
+	return {in_layer % frame.columns, in_layer / frame.columns, static_cast<int>(cell / layerCells())};
+}
+
+bool PlanMap::contains(const Eigen::Array3i& place) const
+{
+	const Eigen::Array3i size(frame.columns, frame.rows, static_cast<int>(frame.altitudes_m.size()));
+	return (place >= 0).all() && (place < size).all();
+}
+
+CellIndex PlanMap::cellAt(const Eigen::Array3i& place) const
+{
+	return static_cast<CellIndex>((place.z() * frame.rows + place.y()) * frame.columns + place.x());
+}
+
+CellIndex PlanMap::cellOf(const Eigen::Vector3d& point_in_map) const
+{
+	const Eigen::Array2i at =
+	    ((point_in_map.head<2>() - frame.corner_in_map) / frame.resolution_m).array().floor().cast<int>();
+	const auto nearer = [&](double a, double b) { return std::abs(a - point_in_map.z()) < std::abs(b - point_in_map.z()); };
+	const auto layer = std::min_element(frame.altitudes_m.begin(), frame.altitudes_m.end(), nearer);
+	const Eigen::Array3i place(at.x(), at.y(), static_cast<int>(layer - frame.altitudes_m.begin()));
+	return contains(place) ? cellAt(place) : kNoCell;
+}
+
+Eigen::Vector3d PlanMap::middleOf(CellIndex cell) const
+{
+	const Eigen::Array3i place = placeOf(cell);
+	const Eigen::Vector2d middle =
+	    frame.corner_in_map + frame.resolution_m * (place.head<2>().cast<double>() + 0.5).matrix();
+	return {middle.x(), middle.y(), frame.altitudes_m[static_cast<std::size_t>(place.z())]};
+}
+
+PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConfig& config)
+{
+	PlanMap map;
+	map.frame = input.layers.frame();
+	map.cells = input.layers.cells();
+	map.fit_m = robot.radius_m + config.clearance_m;
+	map.obstacle_m = distances(map, std::max(config.comfort_m, map.fit_m) + map.frame.resolution_m, isObstacle);
+	const std::vector<float> unknown_m =
+	    distances(map, robot.radius_m, [](CellState state) { return state == CellState::unknown; });
+	markAllowed(map, input.area);
+
+	map.passable.resize(map.cells.size());
+	for (std::size_t i = 0; i < map.cells.size(); ++i)
+	{
+		const bool known = unknown_m[i] >= robot.radius_m - 0.5 * map.frame.resolution_m;
+		map.passable[i] =
+		    map.allowed[i] != 0 && map.cells[i] == CellState::free && map.obstacle_m[i] >= map.fit_m && known ? 1 : 0;
+	}
+	map.blocked.assign(map.cells.size(), 0);
+	for (const Eigen::Vector3d& spot : input.blocked_in_map) block(map, spot);
+	markWanted(map, map.cellOf(input.robot_in_map));
+	return map;
+}
+
+bool straightWayIsFree(const PlanMap& map, CellIndex from, CellIndex to, double clearance_m)
+{
+	const Eigen::Array3i a = map.placeOf(from), b = map.placeOf(to);
+	if (a.z() != b.z()) return false;
+	const Eigen::Array2d way = (b - a).head<2>().cast<double>();
+	const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * way.abs().maxCoeff())));
+	for (int i = 0; i <= steps; ++i)
+	{
+		const Eigen::Array2i at =
+		    (a.head<2>().cast<double>() + way * (static_cast<double>(i) / steps) + 0.5).floor().cast<int>();
+		const CellIndex cell = map.cellAt({at.x(), at.y(), a.z()});
+		if (map.passable[cell] == 0 || map.obstacle_m[cell] < clearance_m) return false;
+	}
+	return true;
+}
+}  // namespace explore

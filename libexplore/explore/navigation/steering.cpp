@@ -1,0 +1,178 @@
+#include <explore/core/geometry.h>
+#include <explore/navigation/steering.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace explore
+{
+namespace
+{
+/** How far ahead on the way the robot aims. */
+constexpr double kAhead_m = 0.5;
+/** It turns on the spot from the one on, until the other. */
+constexpr double kTurnFrom_rad = 0.6, kTurnUntil_rad = 0.15;
+/** At the way's end it is turned when it is within this. */
+constexpr double kFaced_rad = 0.08;
+constexpr double kTurnTime_s = 0.5;
+/** Blocked for so long, it backs off so far, so fast; the spot ahead is avoided for a while. */
+constexpr double kPatience_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
+
+/** Of a point on the way: its distance from `at`, and how far along the way it lies. */
+struct OnWay
+{
+	std::size_t leg = 0;
+	double share = 0;
+	double away_m = std::numeric_limits<double>::infinity();
+};
+
+OnWay nearestOn(const std::vector<Eigen::Vector3d>& way, const Eigen::Vector3d& at)
+{
+	OnWay nearest;
+	for (std::size_t leg = 0; leg + 1 < way.size(); ++leg)
+	{
+		const Eigen::Vector3d along = way[leg + 1] - way[leg];
+		const double squared = along.squaredNorm();
+		const double share = squared > 0.0 ? std::clamp(along.dot(at - way[leg]) / squared, 0.0, 1.0) : 0.0;
+		const double away_m = (way[leg] + share * along - at).norm();
+		if (away_m < nearest.away_m) nearest = {leg, share, away_m};
+	}
+	return nearest;
+}
+
+struct Aim
+{
+	Eigen::Vector3d point_in_map;
+	double rest_m;  ///< to the way's end
+};
+
+/** The point `ahead_m` further on the way than where the robot is, or the way's end. */
+Aim aimOn(const std::vector<Eigen::Vector3d>& way, const Eigen::Vector3d& at, double ahead_m)
+{
+	if (way.size() < 2) return {way.empty() ? at : way.back(), way.empty() ? 0.0 : (way.back() - at).norm()};
+	const OnWay here = nearestOn(way, at);
+	Eigen::Vector3d from = way[here.leg] + here.share * (way[here.leg + 1] - way[here.leg]);
+	Aim aim{way.back(), 0.0};
+	bool found = false;
+	for (std::size_t leg = here.leg; leg + 1 < way.size(); ++leg)
+	{
+		const double length_m = (way[leg + 1] - from).norm();
+		if (!found && aim.rest_m + length_m >= ahead_m)
+		{
+			aim.point_in_map = from + (way[leg + 1] - from) * ((ahead_m - aim.rest_m) / length_m);
+			found = true;
+		}
+		aim.rest_m += length_m;
+		from = way[leg + 1];
+	}
+	return aim;
+}
+
+/** Whether the hull has known free room straight behind it. */
+bool isFreeBehind(const BodyLayers& layers, const MissionNow& now, const RobotConfig& robot)
+{
+	const LayerFrame& frame = layers.frame();
+	const Eigen::Vector3d at = now.map_from_robot.translation();
+	const Eigen::Vector2d back = -now.map_from_robot.linear().col(0).head<2>().normalized();
+	const Eigen::Vector2d side(-back.y(), back.x());
+	const double reach_m = robot.radius_m + kBackOff_m + 0.5 * frame.resolution_m;
+	for (double along = 0.5 * robot.radius_m; along <= reach_m; along += 0.5 * frame.resolution_m)
+		for (double across = -robot.radius_m; across <= robot.radius_m; across += 0.5 * frame.resolution_m)
+		{
+			const Eigen::Vector2d point = at.head<2>() + along * back + across * side;
+			const LayerCell cell = frame.cellAt(point, 0);
+			if (layers.stateOf(cell) != CellState::free) return false;
+		}
+	return true;
+}
+
+void blockAhead(Mission& mission, const MissionNow& now)
+{
+	const Aim aim = aimOn(mission.way_in_map, now.map_from_robot.translation(), kAhead_m);
+	mission.blocked.push_back({aim.point_in_map, now.t_s + kAvoidSpot_s});
+	mission.planned_at_s = 0.0;
+}
+
+/** Whether the robot is backing off in this frame. */
+bool backsOff(Steering& steering, Mission& mission, const FrontierMemory& memory, const MissionNow& now,
+              const RobotConfig& robot)
+{
+	const Eigen::Vector3d at = now.map_from_robot.translation();
+	const bool free_behind = isFreeBehind(memory.layers, now, robot);
+	if (steering.backing_from_in_map)
+	{
+		if (free_behind && (at - *steering.backing_from_in_map).norm() < kBackOff_m) return true;
+		steering.backing_from_in_map.reset();
+		return false;
+	}
+	if (!steering.blocked_since_s || now.t_s - *steering.blocked_since_s < kPatience_s) return false;
+	steering.blocked_since_s = now.t_s;
+	blockAhead(mission, now);
+	if (free_behind) steering.backing_from_in_map = at;
+	return free_behind;
+}
+
+/** On the spot, or not, with hysteresis. */
+bool turns(Steering& steering, double bearing_rad, double until_rad)
+{
+	const double away_rad = std::abs(bearing_rad);
+	steering.turning = steering.turning ? away_rad > until_rad : away_rad > kTurnFrom_rad;
+	return steering.turning;
+}
+}  // namespace
+
+SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& memory, const MissionNow& now,
+                   const RobotConfig& robot)
+{
+	SteeringGoal goal;
+	if (!mission.goal) return goal;
+	goal.backs_off = backsOff(steering, mission, memory, now, robot);
+	if (goal.backs_off)
+	{
+		goal.desired_rad = std::numbers::pi;
+		return goal;
+	}
+	const Eigen::Isometry3d robot_from_map = now.map_from_robot.inverse();
+	const Aim aim = aimOn(mission.way_in_map, now.map_from_robot.translation(), kAhead_m);
+	goal.goal_distance_m = aim.rest_m;
+	const double away_m = (robot_from_map * mission.goal->stand_in_map).head<2>().norm();
+	const bool there = away_m < (mission.goal->kind == GoalKind::home ? 0.04 : 0.10) || mission.way_in_map.empty();
+	const Eigen::Vector3d facing(std::cos(mission.goal->yaw_rad), std::sin(mission.goal->yaw_rad), 0.0);
+	const Eigen::Vector3d toward =
+	    there ? robot_from_map.linear() * facing : robot_from_map * aim.point_in_map;
+	goal.desired_rad = azimuthOf(toward);
+	goal.turns = there ? std::abs(goal.desired_rad) > kFaced_rad : turns(steering, goal.desired_rad, kTurnUntil_rad);
+	if (there) goal.turns = true;
+	if (robot.kind == RobotKind::mav && !there)
+		goal.desired_elevation_rad = std::atan2(toward.z(), std::max(0.2, toward.head<2>().norm()));
+	return goal;
+}
+
+Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const RobotConfig& robot)
+{
+	Decision decision;
+	decision.goal = choice.goal;
+	decision.headings.door_rad = choice.door_rad;
+	decision.headings.vanishing_point_rad = choice.vanishing_point_rad;
+	decision.headings.desired_rad = decision.headings.chosen_rad = goal.desired_rad;
+	if (goal.backs_off)
+	{
+		decision.goal.kind = GoalKind::recover;
+		decision.command.velocity_mps.x() = -std::min(kBackOff_mps, robot.max_speed_mps);
+		return decision;
+	}
+	decision.command.yaw_rate_radps =
+	    std::clamp(goal.desired_rad / kTurnTime_s, -robot.max_yaw_rate_radps, robot.max_yaw_rate_radps);
+	return decision;
+}
+
+void noteDecision(Steering& steering, const Decision& decision, double t_s)
+{
+	if (!decision.stop)
+		steering.blocked_since_s.reset();
+	else if (!steering.blocked_since_s)
+		steering.blocked_since_s = t_s;
+}
+}  // namespace explore

@@ -1,0 +1,41 @@
+// From the way that is planned to what the avoider is asked for: a direction, or a turn on the spot, or backing off.
+#pragma once
+
+#include <explore/core/results.h>
+#include <explore/navigation/heading.h>
+#include <explore/navigation/mission.h>
+
+#include <optional>
+
+namespace explore
+{
+/** What is carried from frame to frame while the robot follows its way. */
+struct Steering
+{
+	bool turning = false;                             ///< on the spot
+	std::optional<double> blocked_since_s;            ///< the avoider has found no way since
+	std::optional<Eigen::Vector3d> backing_from_in_map;  ///< where the robot was when it began to back off
+};
+
+/** What the robot is to do, robot frame. */
+struct SteeringGoal
+{
+	double desired_rad = 0;            ///< θ_d
+	double desired_elevation_rad = 0;  ///< MAV only
+	double goal_distance_m = 0;        ///< along the way
+	bool turns = false;                ///< on the spot, to desired_rad
+	bool backs_off = false;            ///< straight back, what is behind being known and free
+};
+
+/** Where to go from here on the mission's way: toward a point a little ahead on it, turning on the spot where that lies
+ *  far from straight ahead, and at its end to the goal's yaw. After more than a moment without a way the robot backs
+ *  off along what it knows to be free, the spot ahead is blocked for the plan, and the plan is made anew. */
+SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& memory, const MissionNow& now,
+                   const RobotConfig& robot);
+
+/** The decision of a robot that turns on the spot or backs off: its hull is round, so that turning needs no room. */
+Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const RobotConfig& robot);
+
+/** Takes note of whether the robot could go where it wanted. */
+void noteDecision(Steering& steering, const Decision& decision, double t_s);
+}  // namespace explore
