@@ -13,6 +13,7 @@ explore_layer(simulation
           truth_rays.cpp log_maker.cpp
           robot_motion.cpp movers.cpp odometry.cpp simulated_robot.cpp path_follower.cpp
           path_carrier.cpp route_carrier.cpp recorder.cpp closed_loop.cpp start_pose.cpp
+          plan_triangle.cpp cell_spread.cpp reachable_space.cpp
           scenes/scene_plan.cpp scenes/scene_sketch.cpp scenes/scene_walls.cpp scenes/scene_doors.cpp scenes/scene_pieces.cpp scenes/scene_furniture.cpp
           scenes/scene_clutter.cpp scenes/scene_view.cpp scenes/scene_beyond.cpp scenes/scene_rooms.cpp scenes/scene_corridor.cpp
           scenes/family_paper.cpp scenes/family_doors.cpp scenes/family_leaves.cpp scenes/family_blocked.cpp scenes/family_unseen.cpp scenes/family_decoys.cpp
