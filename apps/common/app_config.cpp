@@ -28,6 +28,8 @@ RobotKind namedKind(const std::filesystem::path& ini, const std::vector<std::str
 void describe(FieldVisitor& fields, AppConfig& config)
 {
 	describe(fields, config.source);
+	describe(fields, config.simulated_camera);
+	describe(fields, config.simulated_robot);
 	describe(fields, config.explorer);
 	describe(fields, config.output);
 }
@@ -60,6 +62,8 @@ LoadedConfig loadConfig(const ConfigChoices& choices)
 	SourceConfig& source = loaded.config.source;
 	if (!choices.rawlog.empty()) source.kind = SourceKind::rawlog;
 	if (!choices.rawlog.empty()) source.rawlog = choices.rawlog;
+	if (!choices.world.empty()) source.kind = SourceKind::simulator;
+	if (!choices.world.empty()) source.simulator.world = choices.world;
 	if (!choices.sensors_pose.empty()) source.sensor_poses = loadSensorPoses(choices.sensors_pose);
 	return loaded;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <common/config_choices.h>
+#include <explore/config/simulated_camera.h>
+#include <explore/config/simulated_robot.h>
 #include <explore/pipeline/explorer_config.h>
 #include <explore/sinks/output_config.h>
 #include <explore/sources/source_config.h>
@@ -13,10 +15,12 @@ namespace explore::app
 struct AppConfig
 {
 	SourceConfig source;
+	simulation::DepthCameraConfig simulated_camera = simulation::depthCamera("xtion", 320);
+	simulation::SimulatedRobotConfig simulated_robot;
 	ExplorerConfig explorer;
 	OutputConfig output;
 };
-/** [source] [camera], those of ExplorerConfig, [output] */
+/** [source] [simulator] [camera] [simulated_camera] [simulated_robot], those of ExplorerConfig, [output] */
 void describe(FieldVisitor& fields, AppConfig& config);
 
 /** The size and limits of a usual robot of this kind (see doc/ini-reference.md, [robot]). */
@@ -28,7 +32,7 @@ struct LoadedConfig
 	std::filesystem::path ini;  ///< the file that was read; empty = none
 };
 
-/** Defaults, then the ini, then --robot, then --set and --seed; what comes later wins.
+/** Defaults, then the ini, then --robot, then --set, --seed, --rawlog and --world; what comes later wins.
  *  - Keys of [robot] that the ini leaves out are those of robotDefaults(kind), whichever kind it names.
  *  - `--robot` naming the other kind replaces the ini's whole [robot] by robotDefaults.
  *  Throws ConfigError. */

@@ -13,7 +13,9 @@ const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"
 std::vector<std::string> ConfigChoices::overrides() const
 {
 	std::vector<std::string> overrides = set;
-	if (seed) overrides.push_back("perception.seed=" + std::to_string(*seed));
+	if (seed)
+		for (const char* key : {"perception.seed=", "simulator.seed="})
+			overrides.push_back(key + std::to_string(*seed));
 	return overrides;
 }
 
@@ -34,6 +36,7 @@ void addOverrideOptions(CLI::App& app, ConfigChoices& choices, const std::string
 	app.add_option("--robot", choices.robot, robot_help)
 	    ->type_name("KIND")
 	    ->transform(CLI::CheckedTransformer(kRobots, CLI::ignore_case).description(""));
-	app.add_option("--seed", choices.seed, "The same as --set perception.seed=N")->type_name("N");
+	app.add_option("--seed", choices.seed, "The same as --set perception.seed=N --set simulator.seed=N")
+	    ->type_name("N");
 }
 }  // namespace explore::app

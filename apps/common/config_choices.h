@@ -17,7 +17,7 @@ namespace explore::app
 struct ConfigChoices
 {
 	std::string ini;               ///< empty = built-in defaults
-	std::string rawlog;            ///< empty = as the ini says
+	std::string rawlog, world;     ///< empty = as the ini says
 	std::vector<std::string> set;  ///< "section.key=value"
 	std::optional<RobotKind> robot;
 	std::string sensors_pose;

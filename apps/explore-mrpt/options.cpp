@@ -18,11 +18,16 @@ const std::map<std::string, VerbosityLevel> kVerbosities{{"DEBUG", mrpt::system:
 void addInputOptions(CLI::App& app, Options& options)
 {
 	addIniOption(app, options);
-	app.add_option("--rawlog", options.rawlog, "Recording to explore, instead of the ini's")->type_name("FILE");
+	auto* rawlog =
+	    app.add_option("--rawlog", options.rawlog, "Recording to explore, instead of the ini's")->type_name("FILE");
+	app.add_option("--world", options.world, "Gazebo world to explore with a simulated robot, instead of the ini's")
+	    ->type_name("FILE")
+	    ->excludes(rawlog);
 	addOverrideOptions(app, options, "ground or mav; where the ini says the other, with that one's default size");
 	app.add_option("--max-frames", options.max_frames, "Stops after N frames")
 	    ->type_name("N")
 	    ->check(CLI::PositiveNumber.description(""));
+	app.add_flag("--realtime", options.realtime, "Keeps the camera's pace; else as fast as it goes");
 }
 
 void addOutputOptions(CLI::App& app, Options& options)
@@ -41,8 +46,10 @@ void addOutputOptions(CLI::App& app, Options& options)
 ParsedOptions parseOptions(int argc, const char* const* argv)
 {
 	ParsedOptions parsed;
-	CLI::App app("Turns the depth frames of a recording into headings: doors, vanishing points, obstacles avoided.",
-	             "explore-mrpt");
+	CLI::App app(
+	    "Turns depth frames into headings: doors, vanishing points, obstacles avoided. The frames are those of a "
+	    "recording, or of a simulated robot that goes where the headings lead.",
+	    "explore-mrpt");
 	app.set_version_flag("--version", "explore-mrpt " + version());
 	addInputOptions(app, parsed.options);
 	addOutputOptions(app, parsed.options);

@@ -15,6 +15,7 @@ struct Options : ConfigChoices
 	std::string out = "explore-out";  ///< "-" = JSON lines on standard output and no files
 	std::optional<mrpt::system::VerbosityLevel> verbosity;
 	std::optional<std::size_t> max_frames;
+	bool realtime = false;  ///< no faster than the frames were, or are, taken
 	bool quiet = false;
 	bool dump_config = false;
 

@@ -1,9 +1,11 @@
+#include <common/closed_loop_source.h>
 #include <common/exit_codes.h>
 #include <common/input_paths.h>
 #include <common/mounted_source.h>
 #include <explore-mrpt/console_logger.h>
 #include <explore-mrpt/depth_check.h>
 #include <explore-mrpt/interrupt.h>
+#include <explore-mrpt/pace.h>
 #include <explore-mrpt/run.h>
 #include <explore-mrpt/run_outputs.h>
 #include <explore/core/errors.h>
@@ -18,31 +20,50 @@ struct Run
 	const Options& options;
 	const AppConfig& config;
 	FrameSource& source;
+	ClosedLoopSource* robot;  ///< the same, where it takes commands
 	RunOutputs& outputs;
 	ConsoleLogger& logger;
 	DepthCheck depth_check;
+	Pace pace;
 	TimingRecord timing;
 	RunTally tally;
 };
 
-/** One frame from end to end; false when there is none left. */
-bool exploreOneFrame(Run& run, ExplorerState& state)
+/** Why no frame came. */
+std::string reasonOfEnd(const Run& run)
+{
+	if (run.robot != nullptr) return "time limit";
+	return run.source.report().damage.empty() ? "log ended" : "input damaged";
+}
+
+/** Takes the frame's result to the two ends. */
+void handOver(Run& run, const DepthFrame& frame, const StepResult& result)
+{
+	run.outputs.write(frame, result);
+	if (run.robot == nullptr) return;
+	run.outputs.writeTruth(frame.timestamp, run.robot->trueState().map_from_robot);
+	run.robot->obey(result.decision.command);
+}
+
+/** One frame from end to end; after the last one, why it was the last. */
+std::optional<std::string> exploreOneFrame(Run& run, ExplorerState& state)
 {
 	StageClock clock;
 	clock.start();
 	const auto frame = run.source.next();
-	if (!frame) return false;
+	if (!frame) return reasonOfEnd(run);
 	clock.ended("read");
 	const StepResult result =
 	    step(*frame, state, run.config.explorer, [&](std::string_view stage) { clock.ended(stage); });
-	run.outputs.write(*frame, result);
+	handOver(run, *frame, result);
 	clock.ended("write");
 
 	run.outputs.writeTimes(frame->index, clock.times());
 	run.timing.add(clock.times());
 	run.tally.add(*frame, result);
 	if (const auto remark = run.depth_check.look(*frame)) run.logger.logStr(mrpt::system::LVL_WARN, *remark);
-	return true;
+	if (run.options.realtime) run.pace.waitFor(frame->timestamp);
+	return std::nullopt;
 }
 
 Progress progressOf(const Run& run)
@@ -58,7 +79,7 @@ std::string exploreAll(Run& run)
 	while (signalReceived() == 0)
 	{
 		if (run.options.max_frames && run.tally.frames >= *run.options.max_frames) return "max frames";
-		if (!exploreOneFrame(run, state)) return run.source.report().damage.empty() ? "log ended" : "input damaged";
+		if (auto reason = exploreOneFrame(run, state)) return *std::move(reason);
 		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 		run.logger.status().update(progressOf(run), elapsed.count());
 	}
@@ -109,7 +130,7 @@ RunSummary exploreAndSum(Run& run)
 	}
 }
 
-std::unique_ptr<FrameSource> openSource(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
+std::unique_ptr<FrameSource> openRecording(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
 {
 	SourceConfig source = loaded.config.source;
 	if (source.rawlog.empty())
@@ -117,6 +138,21 @@ std::unique_ptr<FrameSource> openSource(const LoadedConfig& loaded, const Option
 	if (options.rawlog.empty()) source.rawlog = findRawlogOfIni(source.rawlog, loaded.ini).string();
 	return std::make_unique<MountedSource>(makeSource(source, logger), source.camera.mount,
 	                                       loaded.config.explorer.perception, logger);
+}
+
+/** Where the frames come from, and the same as a robot where it is one. */
+struct Input
+{
+	std::unique_ptr<FrameSource> source;
+	ClosedLoopSource* robot = nullptr;
+};
+
+Input openInput(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
+{
+	if (loaded.config.source.kind == SourceKind::rawlog) return {openRecording(loaded, options, logger)};
+	auto simulator = openSimulator(loaded, logger);
+	ClosedLoopSource* const robot = simulator.get();
+	return {std::move(simulator), robot};
 }
 
 int exitCode(const RunSummary& summary, ConsoleLogger& logger)
@@ -150,9 +186,11 @@ int run(const Options& options)
 		return kDone;
 	}
 	ConsoleLogger logger(options);
-	const auto source = openSource(loaded, options, logger);
+	const Input input = openInput(loaded, options, logger);
 	RunOutputs outputs(options, loaded.config);
-	Run run{options, loaded.config, *source, outputs, logger, DepthCheck(loaded.config.explorer), {}, {}};
+	Run run{
+	    options, loaded.config, *input.source, input.robot, outputs, logger, DepthCheck(loaded.config.explorer), {}, {},
+	    {}};
 	const RunSummary summary = exploreAndSum(run);
 	const bool wants_summary = !options.quiet && !options.toStandardOutput();
 	if (wants_summary) print(summaryText(summary) + "  results in " + options.out + "\n");

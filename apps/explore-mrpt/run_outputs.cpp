@@ -22,6 +22,7 @@ RunOutputs::RunOutputs(const Options& options, const AppConfig& config)
 		m_timing.emplace(m_paths->timing,
 		                 std::vector<std::string>{"read", "perceive", "choose", "avoid", "heading", "write"});
 	if (output.trajectory) m_trajectory.emplace(m_paths->trajectory);
+	if (output.trajectory && config.source.kind == SourceKind::simulator) m_truth.emplace(m_paths->truth);
 	if (output.pictures_every > 0)
 		m_pictures.emplace(m_paths->pictures, output.pictures_every,
 		                   PictureConfig{config.explorer.perception.range_filter.max_range_m, config.explorer.robot});
@@ -39,11 +40,24 @@ void RunOutputs::writeTimes(std::size_t frame, const StageTimes& times_ms)
 	if (m_timing) m_timing->write(frame, times_ms);
 }
 
+void RunOutputs::writeTruth(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& true_map_from_robot)
+{
+	if (m_truth) m_truth->write(trajectoryLine(time, true_map_from_robot));
+}
+
+void RunOutputs::writeMap(const octomap::OcTree& map, const FloorBand& band)
+{
+	if (!m_paths) return;
+	writeOctrees(map, m_paths->folder);
+	writeFloorMap(floorMap(map, band), m_paths->folder);
+}
+
 void RunOutputs::finish(const RunSummary& summary)
 {
 	m_frames.close();
 	if (m_timing) m_timing->close();
 	if (m_trajectory) m_trajectory->close();
+	if (m_truth) m_truth->close();
 	if (m_paths) writeFileAtomically(m_paths->summary, summaryJson(summary));
 }
 }  // namespace explore::app

@@ -4,6 +4,7 @@
 #include <common/app_config.h>
 #include <explore-mrpt/options.h>
 #include <explore/sinks/frame_picture.h>
+#include <explore/sinks/map_files.h>
 #include <explore/sinks/output_file.h>
 #include <explore/sinks/output_folder.h>
 #include <explore/sinks/summary.h>
@@ -20,6 +21,10 @@ public:
 
 	void write(const DepthFrame& frame, const StepResult& result);
 	void writeTimes(std::size_t frame, const StageTimes& times_ms);
+	/** A line of truth.tum. */
+	void writeTruth(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& true_map_from_robot);
+	/** The map as it is in the end: map.ot, map.bt, and what of it is in `band` as map.pgm and map.yaml. */
+	void writeMap(const octomap::OcTree& map, const FloorBand& band);
 	/** Closes the files and writes the summary, where there is a folder. */
 	void finish(const RunSummary& summary);
 
@@ -27,7 +32,7 @@ private:
 	std::optional<OutputPaths> m_paths;
 	OutputFile m_frames;
 	std::optional<TimingCsv> m_timing;
-	std::optional<OutputFile> m_trajectory;
+	std::optional<OutputFile> m_trajectory, m_truth;
 	std::optional<FramePictures> m_pictures;
 };
 }  // namespace explore::app

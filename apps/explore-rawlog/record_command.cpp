@@ -23,9 +23,6 @@ namespace
 {
 using namespace explore::simulation;
 
-/** Time of a driven route's first frame, seconds since 1970: fixed, so that the same command gives the same bytes. */
-constexpr double kStart_s = 1'600'000'000.0;
-
 void warn(const std::string& text)
 {
 	std::cerr << "explore-rawlog: warning: " << text << '\n';
@@ -60,7 +57,7 @@ std::vector<PathPose> fromStart(const std::vector<TimedPose>& poses)
 std::unique_ptr<Carrier> carrierOf(RayScene& scene, const RecordOptions& options, RecordConfig& config)
 {
 	RecorderConfig& recorder = config.recorder;
-	recorder.start = mrpt::Clock::fromDouble(kStart_s);
+	recorder.start = mrpt::Clock::fromDouble(kUsualStart_s);
 	if (options.path.empty())
 		return carrierOnRoute(scene, recorder.robot, config.simulated_robot, routeOf(scene.world(), options),
 		                      options.seed);

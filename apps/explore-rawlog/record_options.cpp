@@ -1,5 +1,6 @@
 #include <common/app_config.h>
 #include <common/input_paths.h>
+#include <common/simulated_mount.h>
 #include <explore-rawlog/noise_options.h>
 #include <explore-rawlog/record_options.h>
 #include <explore/config/ini.h>
@@ -56,7 +57,9 @@ void addWayOptions(CLI::App& record, RecordOptions& options)
 void addSensorOptions(CLI::App& record, RecordOptions& options)
 {
 	record.add_option("--sensor", options.sensor, "xtion (default), kinect or ideal")->type_name("NAME");
-	record.add_option("--size", options.width_px, "Width of the images, three quarters of it high; else 640")
+	record
+	    .add_option("--size", options.width_px,
+	                "Width of the images, three quarters of it high; else the ini's, without one 640")
 	    ->type_name("PX")
 	    ->check(CLI::Range(16, 4096).description(""));
 	record.add_option("--noise", options.noise, "none, kinect or speckle; else the sensor's own")->type_name("NAME");
@@ -100,49 +103,42 @@ std::vector<std::string> overridesOf(const RecordOptions& options)
 	return overrides;
 }
 
-/** All that an ini of explore-mrpt may hold, and what the simulator adds. */
-struct Fields
+/** What explore-mrpt has, but for a camera of full size. */
+AppConfig defaults()
 {
-	AppConfig app;
-	simulation::DepthCameraConfig camera = simulation::depthCamera("xtion");
-	simulation::SimulatedRobotConfig simulated_robot;
-};
+	AppConfig config;
+	config.simulated_camera = simulation::depthCamera("xtion");
+	return config;
+}
 
 /** Sets what file (where there is one) and overrides say. */
-void load(Fields& fields, const RecordOptions& options)
+void load(AppConfig& config, const RecordOptions& options)
 {
-	const DescribeFields describe_fields = [&](FieldVisitor& visitor)
-	{
-		describe(visitor, fields.app);
-		simulation::describe(visitor, fields.camera);
-		simulation::describe(visitor, fields.simulated_robot);
-	};
+	const DescribeFields describe_fields = [&](FieldVisitor& visitor) { describe(visitor, config); };
 	if (options.ini.empty())
 		loadIniText("built-in defaults", "", overridesOf(options), describe_fields);
 	else
 		loadIni(findIni(options.ini, iniFolders()), overridesOf(options), describe_fields);
 }
 
-Fields fieldsOf(const RecordOptions& options)
+AppConfig appConfigOf(const RecordOptions& options)
 {
-	Fields first;
+	AppConfig first = defaults();
 	load(first, options);
-	const RobotKind named = first.app.explorer.robot.kind, kind = options.robot.value_or(named);
-	Fields fields;
-	RobotConfig& robot = fields.app.explorer.robot;
+	const RobotKind named = first.explorer.robot.kind, kind = options.robot.value_or(named);
+	AppConfig config = defaults();
+	RobotConfig& robot = config.explorer.robot;
 	robot = robotDefaults(kind);
-	load(fields, options);
+	load(config, options);
 	if (kind != named) robot = robotDefaults(kind);
 	robot.kind = kind;
-	return fields;
+	return config;
 }
 
 mrpt::poses::CPose3D mountOf(const RecordOptions& options, const CameraConfig& camera, RobotKind kind)
 {
 	const std::vector<double>& p = options.mount;
-	if (p.empty() && camera.mount == MountPolicy::ini)
-		return {camera.x_m, camera.y_m, camera.z_m, camera.yaw_rad, camera.pitch_rad, camera.roll_rad};
-	if (p.empty()) return simulation::usualMount(kind);
+	if (p.empty()) return simulatedMount(camera, kind);
 	if (!std::all_of(p.begin(), p.end(), [](double value) { return std::abs(value) <= 1000.0; }))
 		throw ConfigError("--pose x,y,z,yaw,pitch,roll: metres and degrees of at most 1000 are needed");
 	constexpr double kDegree_rad = std::numbers::pi / 180;
@@ -210,14 +206,14 @@ std::string commandOf(const RecordOptions& options)
 
 RecordConfig recordConfigOf(const RecordOptions& options)
 {
-	const Fields fields = fieldsOf(options);
+	const AppConfig app = appConfigOf(options);
 	RecordConfig config;
-	config.simulated_robot = fields.simulated_robot;
-	config.recorder.camera = fields.camera;
-	config.recorder.camera.threads = std::max(options.threads, fields.camera.threads);
-	config.recorder.robot = fields.app.explorer.robot;
-	config.recorder.imu_rate_hz = fields.simulated_robot.imu.rate_hz;
-	config.recorder.robot_from_camera = mountOf(options, fields.app.source.camera, config.recorder.robot.kind);
+	config.simulated_robot = app.simulated_robot;
+	config.recorder.camera = app.simulated_camera;
+	config.recorder.camera.threads = std::max(options.threads, app.simulated_camera.threads);
+	config.recorder.robot = app.explorer.robot;
+	config.recorder.imu_rate_hz = app.simulated_robot.imu.rate_hz;
+	config.recorder.robot_from_camera = mountOf(options, app.source.camera, config.recorder.robot.kind);
 	config.recorder.seconds = options.seconds;
 	config.recorder.seed = options.seed;
 	return config;

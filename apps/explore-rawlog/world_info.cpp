@@ -41,19 +41,9 @@ void writePlace(std::ostream& out, const Eigen::Vector3d& place)
 
 void writeBounds(std::ostream& out, const World& world)
 {
-	Eigen::AlignedBox3f all, solid;
-	const auto extend = [&world](Eigen::AlignedBox3f& box, std::size_t triangle)
-	{
-		for (const std::uint32_t corner : world.mesh.triangles[triangle]) box.extend(world.mesh.vertices[corner]);
-	};
-	std::vector<Eigen::AlignedBox3f> bodies(world.bodies.size());
-	for (std::size_t i = 0; i < world.mesh.triangles.size(); ++i) extend(bodies[world.body_of_triangle[i]], i);
-	// A floor that is larger than the building would hide its size.
-	for (const Eigen::AlignedBox3f& body : bodies)
-	{
-		all.extend(body);
-		if (!body.isEmpty() && body.sizes().z() > 0.1F) solid.extend(body);
-	}
+	Eigen::AlignedBox3f all;
+	for (const auto& triangle : world.mesh.triangles)
+		for (const std::uint32_t corner : triangle) all.extend(world.mesh.vertices[corner]);
 	const auto write = [&out](const char* what, const Eigen::AlignedBox3f& box)
 	{
 		if (box.isEmpty()) return;
@@ -61,7 +51,7 @@ void writeBounds(std::ostream& out, const World& world)
 		    << ", " << box.min().z() << " … " << box.max().z() << " m\n";
 	};
 	write("bounds:        ", all);
-	write("without floor: ", solid);
+	write("without floor: ", simulation::solidBounds(world));
 }
 
 void writeMaterials(std::ostream& out, const World& world)

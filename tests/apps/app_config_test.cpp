@@ -38,6 +38,18 @@ TEST(AppConfig, SetWinsOverTheIniAndSeedOverBoth)
 	EXPECT_EQ(loaded.config.explorer.robot.radius_m, 0.4);
 	EXPECT_EQ(loaded.config.explorer.robot.height_m, 0.5);
 	EXPECT_EQ(loaded.config.explorer.perception.seed, 8);
+	EXPECT_EQ(loaded.config.source.simulator.seed, 8);
+}
+
+TEST(AppConfig, NamedInputSetsItsKind)
+{
+	ConfigChoices world = withIni("[source]\nkind = rawlog\nrawlog = a.rawlog\n");
+	world.world = "b.sdf";
+	EXPECT_EQ(loadConfig(world).config.source.kind, SourceKind::simulator);
+	EXPECT_EQ(loadConfig(world).config.source.simulator.world, "b.sdf");
+	ConfigChoices rawlog = withIni("[source]\nkind = simulator\n");
+	rawlog.rawlog = "a.rawlog";
+	EXPECT_EQ(loadConfig(rawlog).config.source.kind, SourceKind::rawlog);
 }
 
 TEST(AppConfig, RobotKeysLeftOutAreThoseOfItsKind)

@@ -31,3 +31,12 @@ TEST(InputPaths, AMissListsEveryPlace)
 		EXPECT_THAT(error.what(), HasSubstr(std::string(EXPLORE_SOURCE_DIR) + "/rawlogs/none.rawlog"));
 	}
 }
+
+TEST(InputPaths, AWorldOfOursIsFoundByItsName)
+{
+	const auto folder = test::freshFolder();
+	EXPECT_EQ(findWorldOfIni("corridor.sdf", folder / "my.ini"),
+	          std::filesystem::path(EXPLORE_SOURCE_DIR) / "rawlogs" / "worlds" / "corridor.sdf");
+	test::writeFile(folder / "corridor.sdf", "x");
+	EXPECT_EQ(findWorldOfIni("corridor.sdf", folder / "my.ini"), folder / "corridor.sdf");
+}

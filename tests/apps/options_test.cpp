@@ -31,7 +31,8 @@ TEST(Options, EveryOptionReachesItsField)
 	                           "--verbosity",    "DEBUG",
 	                           "--max-frames",   "7",
 	                           "--seed",         "9",
-	                           "--quiet",        "--dump-config"});
+	                           "--quiet",        "--dump-config",
+	                           "--realtime"});
 	ASSERT_FALSE(parsed.exit_code);
 	const Options& options = parsed.options;
 	EXPECT_EQ(options.ini, "a.ini");
@@ -45,6 +46,13 @@ TEST(Options, EveryOptionReachesItsField)
 	EXPECT_EQ(options.seed, 9);
 	EXPECT_TRUE(options.quiet);
 	EXPECT_TRUE(options.dump_config);
+	EXPECT_TRUE(options.realtime);
+}
+
+TEST(Options, AWorldStandsInForARecordingAndNotBesideOne)
+{
+	EXPECT_EQ(parse({"--world", "a.sdf"}).options.world, "a.sdf");
+	EXPECT_EQ(parse({"--world", "a.sdf", "--rawlog", "b.rawlog"}).exit_code, kUsageError);
 }
 
 TEST(Options, ADashMeansStandardOutput)

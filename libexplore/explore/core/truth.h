@@ -89,6 +89,31 @@ struct TruthFrame
 	std::optional<TruthFreePaths> free_paths;
 };
 
+/** Cells that a robot's centre can get to, one level of height above another. Cells are counted from the map's origin:
+ *  cell (i, j) reaches from (i, j) · cell_m to (i + 1, j + 1) · cell_m. */
+struct TruthReach
+{
+	struct Level
+	{
+		double low_m = 0, high_m = 0;         ///< z in the map of what has to be free for the level's cells
+		std::vector<std::uint8_t> reachable;  ///< 1 = reachable; (column, row) is at row · columns + column
+	};
+	double cell_m = 0.05;
+	int first_column = 0, first_row = 0;  ///< number of the cell with the smallest x and y
+	int columns = 0, rows = 0;
+	std::vector<Level> levels;  ///< one for a ground robot
+
+	/** Middle of the cell on the floor plan. */
+	[[nodiscard]] Eigen::Vector2d centerOf(int column, int row) const
+	{
+		return cell_m * Eigen::Vector2d(first_column + column + 0.5, first_row + row + 0.5);
+	}
+	/** Of all levels. */
+	[[nodiscard]] std::size_t cells() const;
+	/** Of the floor below the reachable cells [m²]. */
+	[[nodiscard]] double area_m2() const;
+};
+
 /** Everything in LOG.truth.json. */
 struct TruthLog
 {

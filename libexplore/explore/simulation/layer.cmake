@@ -11,8 +11,9 @@ explore_layer(simulation
           speckle_pattern.cpp speckle_image.cpp speckle_contrast.cpp speckle_match.cpp
           robot_body.cpp swept_body.cpp free_paths.cpp truth_view.cpp door_visibility.cpp door_passage.cpp corridor_truth.cpp
           truth_rays.cpp log_maker.cpp
-          simulated_robot_config.cpp robot_motion.cpp movers.cpp odometry.cpp simulated_robot.cpp path_follower.cpp
-          path_carrier.cpp route_carrier.cpp recorder.cpp
+          robot_motion.cpp movers.cpp odometry.cpp simulated_robot.cpp path_follower.cpp
+          path_carrier.cpp route_carrier.cpp recorder.cpp closed_loop.cpp start_pose.cpp
+          plan_triangle.cpp cell_spread.cpp reachable_space.cpp
           scenes/scene_plan.cpp scenes/scene_sketch.cpp scenes/scene_walls.cpp scenes/scene_doors.cpp scenes/scene_pieces.cpp scenes/scene_furniture.cpp
           scenes/scene_clutter.cpp scenes/scene_view.cpp scenes/scene_beyond.cpp scenes/scene_rooms.cpp scenes/scene_corridor.cpp
           scenes/family_paper.cpp scenes/family_doors.cpp scenes/family_leaves.cpp scenes/family_blocked.cpp scenes/family_unseen.cpp scenes/family_decoys.cpp

@@ -1,10 +1,10 @@
 // What a robot believes about its pose and motion: odometry or a state estimate that drifts, and an IMU.
 #pragma once
 
+#include <explore/config/simulated_robot.h>
 #include <explore/core/robot.h>
 #include <explore/simulation/random.h>
 #include <explore/simulation/robot_motion.h>
-#include <explore/simulation/simulated_robot_config.h>
 
 namespace explore::simulation
 {

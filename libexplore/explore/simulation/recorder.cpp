@@ -13,19 +13,11 @@ namespace explore::simulation
 {
 namespace
 {
-std::string labelOf(const DepthCameraConfig& camera)
-{
-	std::string label = camera.name;
-	std::transform(label.begin(), label.end(), label.begin(),
-	               [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
-	return label;
-}
-
 class Recorder
 {
 public:
 	Recorder(RayScene& scene, Carrier& carrier, const RecorderConfig& config, const ObservationSink& sink)
-	    : m_scene(scene), m_carrier(carrier), m_config(config), m_sink(sink), m_label(labelOf(config.camera))
+	    : m_scene(scene), m_carrier(carrier), m_config(config), m_sink(sink), m_label(sensorLabel(config.camera))
 	{
 	}
 
@@ -41,11 +33,11 @@ public:
 			m_carrier.advanceTo(std::min(frame_s, reading_s));
 			if (reading_s <= frame_s)
 			{
-				readImu(reading_s);
+				m_sink(*imuObservation(m_config, m_carrier.imu(), reading_s));
 				++reading;
 				continue;
 			}
-			takeFrame(frame_s);
+			addFrame(frame_s);
 			++frame;
 			if (m_carrier.finished()) break;
 		}
@@ -53,25 +45,14 @@ public:
 	}
 
 private:
-	[[nodiscard]] mrpt::Clock::time_point timeOf(double t_s) const
+	void addFrame(double t_s)
 	{
-		return m_config.start + std::chrono::duration_cast<mrpt::Clock::duration>(std::chrono::duration<double>(t_s));
-	}
-	void readImu(double t_s)
-	{
-		const ImuReading reading = m_carrier.imu();
-		m_sink(*imuObservation(reading.specific_force_mps2, reading.rate_radps, timeOf(t_s), "IMU"));
-	}
-	void takeFrame(double t_s)
-	{
-		const auto time = timeOf(t_s);
+		const auto time = timeOf(m_config, t_s);
 		const bool ground = m_config.robot.kind == RobotKind::ground;
 		m_sink(ground ? *odometryObservation(m_carrier.estimate(), time, "ODOMETRY")
 		              : *poseObservation(m_carrier.estimate(), time, "STATE"));
 		const auto map_from_robot = m_carrier.truePose();
-		const CameraShot shot =
-		    takeShot(m_scene, m_config.camera, isometryOf(map_from_robot + m_config.robot_from_camera),
-		             mixed({m_config.seed, hashOf("camera"), m_frames.size()}));
+		const CameraShot shot = takeFrame(m_scene, m_config, map_from_robot, m_frames.size());
 		m_sink(*depthObservation(shot, m_config.robot_from_camera, time, m_label, m_config.camera.max_range_m));
 
 		const TruthCamera camera{m_config.camera.intrinsics, m_config.robot_from_camera};
@@ -93,6 +74,31 @@ mrpt::poses::CPose3D usualMount(RobotKind kind)
 {
 	return kind == RobotKind::ground ? mrpt::poses::CPose3D(0.10, 0.0, 0.50, 0, 0, 0)
 	                                 : mrpt::poses::CPose3D(0.15, 0.0, 0.0, 0, 0, 0);
+}
+
+mrpt::Clock::time_point timeOf(const RecorderConfig& config, double t_s)
+{
+	return config.start + std::chrono::duration_cast<mrpt::Clock::duration>(std::chrono::duration<double>(t_s));
+}
+
+std::string sensorLabel(const DepthCameraConfig& camera)
+{
+	std::string label = camera.name;
+	std::transform(label.begin(), label.end(), label.begin(),
+	               [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+	return label;
+}
+
+CameraShot takeFrame(const RayScene& scene, const RecorderConfig& config, const mrpt::poses::CPose3D& map_from_robot,
+                     std::size_t frame)
+{
+	return takeShot(scene, config.camera, isometryOf(map_from_robot + config.robot_from_camera),
+	                mixed({config.seed, hashOf("camera"), frame}));
+}
+
+mrpt::obs::CObservation::Ptr imuObservation(const RecorderConfig& config, const ImuReading& reading, double t_s)
+{
+	return imuObservation(reading.specific_force_mps2, reading.rate_radps, timeOf(config, t_s), "IMU");
 }
 
 TruthLog record(RayScene& scene, Carrier& carrier, const RecorderConfig& config, const ObservationSink& sink)

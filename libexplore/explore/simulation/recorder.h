@@ -25,6 +25,20 @@ struct RecorderConfig
  *  the centre. */
 mrpt::poses::CPose3D usualMount(RobotKind kind);
 
+/** Time of a run's first frame that no recorded poses give, seconds since 1970: fixed, so that the same command gives
+ * the same bytes. */
+inline constexpr double kUsualStart_s = 1'600'000'000.0;
+
+/** `t_s` after the start. */
+mrpt::Clock::time_point timeOf(const RecorderConfig& config, double t_s);
+/** What the camera's frames are labelled with. */
+std::string sensorLabel(const DepthCameraConfig& camera);
+/** What the camera sees in the run's frame number `frame`, the robot being there. */
+CameraShot takeFrame(const RayScene& scene, const RecorderConfig& config, const mrpt::poses::CPose3D& map_from_robot,
+                     std::size_t frame);
+/** The reading as the recorder writes it. */
+mrpt::obs::CObservation::Ptr imuObservation(const RecorderConfig& config, const ImuReading& reading, double t_s);
+
 /** Takes each observation as it is made, by time. */
 using ObservationSink = std::function<void(const mrpt::obs::CObservation&)>;
 

@@ -1,9 +1,9 @@
 // How the simulated robots move in free space: their state, and one small step of it.
 #pragma once
 
+#include <explore/config/simulated_robot.h>
 #include <explore/core/results.h>
 #include <explore/core/robot.h>
-#include <explore/simulation/simulated_robot_config.h>
 #include <mrpt/poses/CPose3D.h>
 
 namespace explore::simulation

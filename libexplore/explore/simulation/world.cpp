@@ -35,6 +35,19 @@ std::size_t World::materialNamed(const std::string& material_name, const Eigen::
 	return index;
 }
 
+Eigen::AlignedBox3f solidBounds(const World& world)
+{
+	constexpr float kFlat_m = 0.1F;
+	std::vector<Eigen::AlignedBox3f> bodies(world.bodies.size());
+	for (std::size_t i = 0; i < world.mesh.triangles.size(); ++i)
+		for (const std::uint32_t corner : world.mesh.triangles[i])
+			bodies[world.body_of_triangle[i]].extend(world.mesh.vertices[corner]);
+	Eigen::AlignedBox3f solid;
+	for (const Eigen::AlignedBox3f& body : bodies)
+		if (!body.isEmpty() && body.sizes().z() > kFlat_m) solid.extend(body);
+	return solid;
+}
+
 void append(TriangleMesh& mesh, const TriangleMesh& piece, const Eigen::Isometry3d& mesh_from_piece)
 {
 	const auto first = static_cast<std::uint32_t>(mesh.vertices.size());

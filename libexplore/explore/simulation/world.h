@@ -132,6 +132,10 @@ struct World
 	std::size_t materialNamed(const std::string& material_name, const Eigen::Vector3f& color = {0.7F, 0.7F, 0.7F});
 };
 
+/** The box around all bodies that stand still and are higher than 10 cm: a floor that is larger than the building would
+ *  hide its size. */
+Eigen::AlignedBox3f solidBounds(const World& world);
+
 /** Moves, turns and appends `piece` to `mesh`. */
 void append(TriangleMesh& mesh, const TriangleMesh& piece, const Eigen::Isometry3d& mesh_from_piece);
 }  // namespace explore::simulation

@@ -60,14 +60,21 @@ OutputPaths outputPaths(const fs::path& folder)
 	        folder / "timing.csv",
 	        folder / "summary.json",
 	        folder / "trajectory.tum",
-	        folder / "pictures"};
+	        folder / "pictures",
+	        folder / "truth.tum",
+	        folder / "map.ot",
+	        folder / "map.bt",
+	        folder / "map.pgm",
+	        folder / "map.yaml"};
 }
 
 OutputPaths prepareOutputFolder(const fs::path& folder)
 {
 	makeFolder(folder);
 	OutputPaths paths = outputPaths(folder);
-	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.summary, &paths.trajectory}) removeOldFile(*file);
+	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.summary, &paths.trajectory, &paths.truth,
+	                             &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml})
+		removeOldFile(*file);
 	removeOldFiles(paths.pictures, isPictureOfOurs);
 	return paths;
 }

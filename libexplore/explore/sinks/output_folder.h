@@ -9,7 +9,8 @@ namespace explore
 /** The files of one run below its folder. */
 struct OutputPaths
 {
-	std::filesystem::path folder, frames, timing, summary, trajectory, pictures;
+	std::filesystem::path folder, frames, timing, summary, trajectory, pictures, truth, map_ot, map_bt, map_pgm,
+	    map_yaml;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
 

@@ -41,6 +41,7 @@ public:
 	[[nodiscard]] virtual std::optional<double> progress() const = 0;
 };
 
-/** The source that `config.kind` names. `logger` outlives the source. Throws ConfigError or InputError. */
+/** The source of the recording that `config.rawlog` names. `logger` outlives the source. Throws ConfigError or
+ * InputError. */
 std::unique_ptr<FrameSource> makeSource(const SourceConfig& config, mrpt::system::COutputLogger& logger);
 }  // namespace explore

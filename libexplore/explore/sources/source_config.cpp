@@ -7,9 +7,26 @@ namespace explore
 {
 namespace
 {
-constexpr std::array<std::string_view, 1> kKinds = {"rawlog"};
+constexpr std::array<std::string_view, 2> kKinds = {"rawlog", "simulator"};
 constexpr std::array<std::string_view, 5> kPoses = {"automatic", "robot_pose", "odometry", "action", "none"};
+constexpr std::array<std::string_view, 2> kSimulatedPoses = {"exact", "odometry"};
 constexpr std::array<std::string_view, 3> kMounts = {"log", "ini", "estimate"};
+
+void describeSimulator(FieldVisitor& fields, SimulatorConfig& simulator)
+{
+	fields.section("simulator", "The simulated world, where [source] kind = simulator.");
+	fields.text("world", simulator.world, "Path of the world, a Gazebo SDF file.");
+	fields.text("start", simulator.start,
+	            "Where the robot begins: a spawn of the world by its name, or x y yaw, or x y z yaw, in metres and "
+	            "degrees; empty = the world's first spawn that suits the robot.");
+	fields.choice("pose", simulator.pose, kSimulatedPoses,
+	              "What the robot is told about its place: exact, the true one, since nothing corrects drift yet; or "
+	              "odometry, with the errors of [simulated_robot], a MAV's state estimate.");
+	fields.real("command_delay", simulator.command_delay_s, {0, 1}, "s",
+	            "From a frame to the command that answers it; less than the time between two frames.");
+	fields.real("time_limit", simulator.time_limit_s, {0.1, 1e6}, "s", "The run ends after that much simulated time.");
+	fields.integer("seed", simulator.seed, {0, 1e9}, "", "Of the noise of camera, odometry and IMU.");
+}
 
 void describeCamera(FieldVisitor& fields, CameraConfig& camera)
 {
@@ -17,7 +34,8 @@ void describeCamera(FieldVisitor& fields, CameraConfig& camera)
 	fields.section("camera", "Where the depth camera sits on the robot, and what is corrected in its images.");
 	fields.choice("mount", camera.mount, kMounts,
 	              "Where the camera's pose on the robot comes from: the log (or --sensors-pose), pose_x ... pose_roll "
-	              "below, or the log's with height, pitch and roll estimated from the floor.");
+	              "below, or the log's with height, pitch and roll estimated from the floor. A simulated camera has "
+	              "its usual mount but with ini.");
 	fields.real("pose_x", camera.x_m, kPlace_m, "m", "Forward, from the robot's origin; with mount = ini.");
 	fields.real("pose_y", camera.y_m, kPlace_m, "m", "To the left.");
 	fields.real("pose_z", camera.z_m, kPlace_m, "m", "Up.");
@@ -45,6 +63,7 @@ void describe(FieldVisitor& fields, SourceConfig& config)
 	              "Which recorded poses place the robot: automatic takes the best kind that is found around the first "
 	              "frame, in the order robot_pose, odometry, action.");
 	fields.flag("gravity_from_imu", config.gravity_from_imu, "Use a recorded accelerometer to tell which way is up.");
+	describeSimulator(fields, config.simulator);
 	describeCamera(fields, config.camera);
 }
 }  // namespace explore

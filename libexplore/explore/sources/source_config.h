@@ -1,4 +1,4 @@
-// [source] and [camera]: where frames come from and what is corrected before anything looks at them.
+// [source], [simulator] and [camera]: where frames come from and what is corrected before anything looks at them.
 #pragma once
 
 #include <explore/config/fields.h>
@@ -10,7 +10,8 @@ namespace explore
 {
 enum class SourceKind
 {
-	rawlog
+	rawlog,
+	simulator  ///< a robot in a simulated world, driven by what the explorer decides
 };
 
 /** Which recorded poses become map_from_robot. */
@@ -26,7 +27,7 @@ enum class PosePolicy
 /** Where robot_from_camera comes from. */
 enum class MountPolicy
 {
-	log,      ///< the observation's sensorPose (or --sensors-pose)
+	log,      ///< the observation's sensorPose (or --sensors-pose); in a simulated world the usual mount
 	ini,      ///< pose_x … pose_roll below
 	estimate  ///< height, pitch and roll from the floor in the first frames
 };
@@ -41,6 +42,24 @@ struct CameraConfig
 	std::string self_mask;               ///< image file; non-black pixels see the robot itself
 };
 
+/** What the simulated robot is told about where it is. */
+enum class SimulatedPose
+{
+	exact,
+	odometry  ///< with the errors of [simulated_robot]; a MAV's is its state estimate
+};
+
+struct SimulatorConfig
+{
+	std::string world;  ///< path
+	std::string
+	    start;  ///< name of a spawn, or "x y yaw" or "x y z yaw" (m, degrees); empty = the first spawn that suits
+	SimulatedPose pose = SimulatedPose::exact;
+	double command_delay_s = 0.05;  ///< from a frame to the command that answers it
+	double time_limit_s = 3600;     ///< of simulated time
+	int seed = 1;
+};
+
 struct SourceConfig
 {
 	SourceKind kind = SourceKind::rawlog;
@@ -49,10 +68,11 @@ struct SourceConfig
 	std::string sensor_label;   ///< empty = the first depth sensor in the log
 	PosePolicy pose = PosePolicy::automatic;
 	bool gravity_from_imu = true;
+	SimulatorConfig simulator;
 	CameraConfig camera;
 	SensorPoses sensor_poses;  ///< from --sensors-pose, not from the ini
 };
 
-/** [source] and [camera] */
+/** [source] [simulator] [camera] */
 void describe(FieldVisitor& fields, SourceConfig& config);
 }  // namespace explore

@@ -1,4 +1,4 @@
-#include <explore/simulation/simulated_robot_config.h>
+#include <explore/config/simulated_robot.h>
 
 #include <array>
 
