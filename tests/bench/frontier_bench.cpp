@@ -156,7 +156,7 @@ void lookAround(benchmark::State& state)
 			const double start_ms = threadTime_ms();
 			benchmark::DoNotOptimize(bestYaw(layers, place, {}));
 			const double done_ms = threadTime_ms();
-			for (int i = 0; i < kYaws; ++i) benchmark::DoNotOptimize(viewGain_m2(layers, place, yawOf(i), {}));
+			for (int i = 0; i < kYaws; ++i) benchmark::DoNotOptimize(viewGain(layers, place, yawOf(i), {}));
 			at_once_ms += done_ms - start_ms;
 			yaw_by_yaw_ms += threadTime_ms() - done_ms;
 		}

@@ -41,7 +41,7 @@ double wrapped(double angle_rad)
 	return std::abs(std::remainder(angle_rad, 2 * kPi));
 }
 
-/** Whether the sight from the camera to the cell's centre is as viewGain_m2() wants it, step by small step. */
+/** Whether the sight from the camera to the cell's centre is as viewGain() wants it, step by small step. */
 bool inSight(const BodyLayers& layers, const ViewPlace& place, const Eigen::Vector2d& centre, double max_unknown_m)
 {
 	constexpr double kStep_m = 0.004;
@@ -121,7 +121,7 @@ TEST(ViewGain, IsWhatACellByCellTestFinds)
 			config.fov_rad = j % 3 == 0 ? 2.0 : 1.0;
 			const ViewPlace place{{test::uniform(random, -2, 2), test::uniform(random, -2, 2)}, 0};
 			const double yaw_rad = test::uniform(random, -kPi, kPi);
-			const double found_m2 = viewGain_m2(layers, place, yaw_rad, config);
+			const double found_m2 = viewGain(layers, place, yaw_rad, config);
 			const double reference_m2 = gainReference(layers, place, yaw_rad, config);
 			EXPECT_NEAR(found_m2, reference_m2, 0.05 + 0.08 * reference_m2);
 			sum_m2 += found_m2;
@@ -140,11 +140,11 @@ TEST(ViewGain, OfAllYawsIsThatOfEach)
 		const BodyLayers layers = randomPlan(random);
 		const ViewConfig config{.fov_rad = fov_rad};
 		const ViewPlace place{{0.31, -0.17}, 0};
-		const std::array<double, kYaws> gains_m2 = viewGains_m2(layers, place, config);
+		const std::array<double, kYaws> gains_m2 = viewGains(layers, place, config);
 		BestYaw best{0.0, -1.0};
 		for (int i = 0; i < kYaws; ++i)
 		{
-			const double gain_m2 = viewGain_m2(layers, place, yawOf(i), config);
+			const double gain_m2 = viewGain(layers, place, yawOf(i), config);
 			EXPECT_NEAR(gains_m2[static_cast<std::size_t>(i)], gain_m2, 1e-9);
 			if (gain_m2 > best.gain_m2 + 1e-9) best = {yawOf(i), gain_m2};
 		}
@@ -159,19 +159,19 @@ TEST(ViewGain, IsTheSectorOfARing)
 	// Unknown from 3 m on, of which 1 m counts.
 	const double ring_m2 = 0.5 * (57 * kPi / 180) * (16 - 9);
 	for (const double yaw_rad : {0.0, 0.4, -2.9, 3.1, 9.0})
-		EXPECT_NEAR(viewGain_m2(layers, {{0, 0}, 0}, yaw_rad, {}), ring_m2, 0.05 * ring_m2);
-	EXPECT_NEAR(viewGain_m2(layers, {{0, 0}, 0}, 0, {.range_m = 3.5}), 0.5 * (57 * kPi / 180) * (12.25 - 9), 0.15);
-	EXPECT_EQ(viewGain_m2(layers, {{0, 0}, 0}, 0, {.range_m = 2.5}), 0.0);
-	EXPECT_NEAR(viewGain_m2(layers, {{0, 0}, 0}, 0, {.fov_rad = 2 * kPi}), kPi * 7, 0.05 * kPi * 7);
+		EXPECT_NEAR(viewGain(layers, {{0, 0}, 0}, yaw_rad, {}), ring_m2, 0.05 * ring_m2);
+	EXPECT_NEAR(viewGain(layers, {{0, 0}, 0}, 0, {.range_m = 3.5}), 0.5 * (57 * kPi / 180) * (12.25 - 9), 0.15);
+	EXPECT_EQ(viewGain(layers, {{0, 0}, 0}, 0, {.range_m = 2.5}), 0.0);
+	EXPECT_NEAR(viewGain(layers, {{0, 0}, 0}, 0, {.fov_rad = 2 * kPi}), kPi * 7, 0.05 * kPi * 7);
 }
 
 TEST(ViewGain, LeavesOutWhatIsTooNear)
 {
 	const BodyLayers layers =
 	    layersWhere([](const Eigen::Vector2d& at) { return at.norm() < 0.5 ? VoxelState::unknown : VoxelState::free; });
-	EXPECT_EQ(viewGain_m2(layers, {{0, 0}, 0}, 0, {}), 0.0);
-	EXPECT_GT(viewGain_m2(layers, {{0, 0}, 0}, 0, {.min_range_m = 0.2}), 0.05);
-	EXPECT_GT(viewGain_m2(layers, {{-1, 0}, 0}, 0, {}), 0.3);
+	EXPECT_EQ(viewGain(layers, {{0, 0}, 0}, 0, {}), 0.0);
+	EXPECT_GT(viewGain(layers, {{0, 0}, 0}, 0, {.min_range_m = 0.2}), 0.05);
+	EXPECT_GT(viewGain(layers, {{-1, 0}, 0}, 0, {}), 0.3);
 }
 
 TEST(ViewGain, NothingIsSeenThroughAWallAndOneLooksWhereThereIsNone)
@@ -183,7 +183,7 @@ TEST(ViewGain, NothingIsSeenThroughAWallAndOneLooksWhereThereIsNone)
 			    return VoxelState::occupied;
 		    return disc(at);
 	    });
-	EXPECT_EQ(viewGain_m2(layers, {{0, 0}, 0}, -1.0, {}), 0.0);
+	EXPECT_EQ(viewGain(layers, {{0, 0}, 0}, -1.0, {}), 0.0);
 	const BestYaw best = bestYaw(layers, {{0, 0}, 0}, {});
 	EXPECT_LT(wrapped(best.yaw_rad - 2.0), 0.2);
 	EXPECT_NEAR(best.gain_m2, 0.5 * (57 * kPi / 180) * 7, 0.2);
@@ -192,7 +192,7 @@ TEST(ViewGain, NothingIsSeenThroughAWallAndOneLooksWhereThereIsNone)
 TEST(ViewGain, ADropIsLookedAcrossAndIsNotUnknown)
 {
 	BodyLayers layers = layersWhere(disc);
-	const double gain_m2 = viewGain_m2(layers, {{0, 0}, 0}, 0, {});
+	const double gain_m2 = viewGain(layers, {{0, 0}, 0}, 0, {});
 	const octomap::OcTree map(kResolution_m);
 	std::vector<VoxelChange> hole;
 	for (double y = -0.975; y < 1; y += kResolution_m)
@@ -200,17 +200,17 @@ TEST(ViewGain, ADropIsLookedAcrossAndIsNotUnknown)
 			hole.push_back({map.coordToKey(x, y, -0.3), VoxelState::unknown, VoxelState::free});
 	layers.update(hole);
 	ASSERT_EQ(layers.stateOf(layers.frame().cellAt({1.5, 0}, 0)), CellState::drop);
-	EXPECT_EQ(viewGain_m2(layers, {{0, 0}, 0}, 0, {}), gain_m2);
+	EXPECT_EQ(viewGain(layers, {{0, 0}, 0}, 0, {}), gain_m2);
 }
 
 TEST(ViewGain, IsThatOfItsLayerAndReachesBeyondTheFrame)
 {
 	const BodyLayers layers = layersWhere(disc, RobotKind::mav, 1.0);
 	const ViewPlace known{{0, 0}, 2}, unknown{{0, 0}, 6};
-	EXPECT_NEAR(viewGain_m2(layers, known, 0, {}), 0.5 * (57 * kPi / 180) * 7, 0.2);
-	EXPECT_NEAR(viewGain_m2(layers, unknown, 0, {}), 0.5 * (57 * kPi / 180) * (1 - 0.36), 0.02);
-	EXPECT_NEAR(viewGain_m2(layers, {{500, 0}, 2}, 0, {}), viewGain_m2(layers, {{900, 0}, 2}, 0, {}), 1e-9);
-	EXPECT_GT(viewGain_m2(layers, {{500, 0}, 2}, 0, {}), 0.2);
+	EXPECT_NEAR(viewGain(layers, known, 0, {}), 0.5 * (57 * kPi / 180) * 7, 0.2);
+	EXPECT_NEAR(viewGain(layers, unknown, 0, {}), 0.5 * (57 * kPi / 180) * (1 - 0.36), 0.02);
+	EXPECT_NEAR(viewGain(layers, {{500, 0}, 2}, 0, {}), viewGain(layers, {{900, 0}, 2}, 0, {}), 1e-9);
+	EXPECT_GT(viewGain(layers, {{500, 0}, 2}, 0, {}), 0.2);
 }
 
 TEST(ViewConfig, EveryFieldIsInTheIni)

@@ -6,6 +6,8 @@
 #include <explore/memory/layer_frame.h>
 #include <explore/memory/occupancy.h>
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 

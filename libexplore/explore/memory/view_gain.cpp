@@ -51,7 +51,7 @@ public:
 	}
 
 	/** Area of unknown [m²] that is seen in the sector. */
-	[[nodiscard]] double sector_m2(int sector) const
+	[[nodiscard]] double gainOf(int sector) const
 	{
 		const double yaw_rad = (sector + 0.5) * kSector_rad, edge_m = m_layers.frame().resolution_m;
 		return 0.5 * kSector_rad * edge_m * edge_m * unknownAlong({std::cos(yaw_rad), std::sin(yaw_rad)});
@@ -89,10 +89,10 @@ private:
 /** The field of view, in sectors from yaw 0 on. */
 struct Wedge
 {
-	double first, last;
+	double first, last = 0.0;
 
 	/** `first` is not negative. */
-	Wedge(double yaw_rad, double fov_rad) : first((yaw_rad - 0.5 * fov_rad) / kSector_rad), last(0.0)
+	Wedge(double yaw_rad, double fov_rad) : first((yaw_rad - 0.5 * fov_rad) / kSector_rad)
 	{
 		first -= kSectors * std::floor(first / kSectors);
 		last = first + std::min(fov_rad / kSector_rad, static_cast<double>(kSectors));
@@ -110,7 +110,7 @@ void describe(FieldVisitor& fields, ViewConfig& config)
 	            "How far through unknown space a look is taken to reach.");
 }
 
-double viewGain_m2(const BodyLayers& layers, const ViewPlace& place, double yaw_rad, const ViewConfig& config)
+double viewGain(const BodyLayers& layers, const ViewPlace& place, double yaw_rad, const ViewConfig& config)
 {
 	const Rays rays(layers, place, config);
 	const Wedge wedge(yaw_rad, config.fov_rad);
@@ -118,7 +118,7 @@ double viewGain_m2(const BodyLayers& layers, const ViewPlace& place, double yaw_
 	for (int sector = static_cast<int>(wedge.first); sector < wedge.last; ++sector)
 	{
 		const double share = std::min(wedge.last, sector + 1.0) - std::max(wedge.first, static_cast<double>(sector));
-		sum_m2 += share * rays.sector_m2(sector);
+		sum_m2 += share * rays.gainOf(sector);
 	}
 	return sum_m2;
 }
@@ -128,12 +128,12 @@ double yawOf(int i)
 	return wrapToPi(i * (2.0 * kPi / kYaws));
 }
 
-std::array<double, kYaws> viewGains_m2(const BodyLayers& layers, const ViewPlace& place, const ViewConfig& config)
+std::array<double, kYaws> viewGains(const BodyLayers& layers, const ViewPlace& place, const ViewConfig& config)
 {
 	const Rays rays(layers, place, config);
 	std::array<double, 2 * kSectors + 1> up_to_m2{};  // sector i, over two turns
 	for (int sector = 0; sector < kSectors; ++sector)
-		up_to_m2[static_cast<std::size_t>(sector) + 1] = rays.sector_m2(sector);
+		up_to_m2[static_cast<std::size_t>(sector) + 1] = rays.gainOf(sector);
 	for (std::size_t i = 1; i <= kSectors; ++i) up_to_m2[i + kSectors] = up_to_m2[i];
 	for (std::size_t i = 1; i < up_to_m2.size(); ++i) up_to_m2[i] += up_to_m2[i - 1];
 	const auto up_to = [&](double sector)
@@ -153,7 +153,7 @@ std::array<double, kYaws> viewGains_m2(const BodyLayers& layers, const ViewPlace
 
 BestYaw bestYaw(const BodyLayers& layers, const ViewPlace& place, const ViewConfig& config)
 {
-	const std::array<double, kYaws> gains_m2 = viewGains_m2(layers, place, config);
+	const std::array<double, kYaws> gains_m2 = viewGains(layers, place, config);
 	const auto best = std::ranges::max_element(gains_m2);
 	return {yawOf(static_cast<int>(best - gains_m2.begin())), *best};
 }

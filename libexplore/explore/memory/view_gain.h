@@ -29,15 +29,15 @@ struct ViewPlace
 /** Area [m²] of the layer's unknown that a camera would see which looks along yaw_rad: inside its field of view, no
  *  nearer than config.min_range_m and no farther than config.range_m, with no occupied cell and at most
  *  config.max_unknown_m of unknown between. Rays a degree apart stand for all: what is narrower may be missed. */
-double viewGain_m2(const BodyLayers& layers, const ViewPlace& place, double yaw_rad, const ViewConfig& config);
+double viewGain(const BodyLayers& layers, const ViewPlace& place, double yaw_rad, const ViewConfig& config);
 
 constexpr int kYaws = 36;
 
 /** Yaw i of kYaws around the circle, from 0 to the left [rad], in (−π, π]. */
 double yawOf(int i);
 
-/** viewGain_m2() for every yawOf(), in one pass. */
-std::array<double, kYaws> viewGains_m2(const BodyLayers& layers, const ViewPlace& place, const ViewConfig& config);
+/** viewGain() [m²] for every yawOf(), in one pass. */
+std::array<double, kYaws> viewGains(const BodyLayers& layers, const ViewPlace& place, const ViewConfig& config);
 
 struct BestYaw
 {
