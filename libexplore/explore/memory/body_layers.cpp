@@ -54,17 +54,20 @@ BodyLayers::BodyLayers(const BodyLayersConfig& config, const RobotConfig& robot,
 
 void BodyLayers::addLayer(double altitude_in_map_m, const Bands& bands)
 {
+	const int layer = m_frame.layers();
 	m_frame.altitudes_m.push_back(altitude_in_map_m);
 	m_bands.push_back(bands);
-	for (const KeyRange& band : {bands.body, bands.floor, bands.deep})
-	{
-		m_heights = m_heights.with(band);
-		if (band.size() > kMaxCount)
-			throw ConfigError(
-			    mrpt::format("a layer of %d voxels is too high, at most %d: [map] resolution = %g is too "
-			                 "small for the robot's height",
-			                 band.size(), kMaxCount, m_frame.resolution_m));
-	}
+	const KeyRange reach = bands.body.with(bands.floor).with(bands.deep);
+	m_heights = m_heights.with(reach);
+	m_layers_at.resize(static_cast<std::size_t>(m_heights.size()), {layer, layer - 1});
+	for (int key = reach.first; key <= reach.last; ++key)
+		m_layers_at[static_cast<std::size_t>(key - m_heights.first)].last = layer;
+	const int most = std::max({bands.body.size(), bands.floor.size(), bands.deep.size()});
+	if (most > kMaxCount)
+		throw ConfigError(
+		    mrpt::format("a layer of %d voxels is too high, at most %d: [map] resolution = %g is too small for the "
+		                 "robot's height",
+		                 most, kMaxCount, m_frame.resolution_m));
 }
 
 void BodyLayers::grow(const KeyRange& x, const KeyRange& y)
@@ -89,11 +92,20 @@ void BodyLayers::grow(const KeyRange& x, const KeyRange& y)
 	m_frame = std::move(grown);
 }
 
+KeyRange BodyLayers::layersAt(const KeyRange& z) const
+{
+	const KeyRange seen = z.common(m_heights);
+	if (seen.size() == 0) return {};
+	const auto at = [&](int key) { return m_layers_at[static_cast<std::size_t>(key - m_heights.first)]; };
+	return {at(seen.first).first, at(seen.last).last};
+}
+
 void BodyLayers::include(const KeyBox& voxels, VoxelState state, int sign)
 {
 	if (state == VoxelState::unknown) return;
 	const Eigen::Vector2i first = m_frame.first.array() + kOriginKey;
-	for (int layer = 0; layer < m_frame.layers(); ++layer)
+	const KeyRange layers = layersAt(voxels.z);
+	for (int layer = layers.first; layer <= layers.last; ++layer)
 	{
 		const Bands& bands = m_bands[static_cast<std::size_t>(layer)];
 		const bool occupied = state == VoxelState::occupied;

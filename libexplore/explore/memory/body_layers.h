@@ -6,6 +6,8 @@
 #include <explore/memory/layer_frame.h>
 #include <explore/memory/occupancy.h>
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -73,7 +75,10 @@ private:
 		bool stood = false, touched = false;
 	};
 
+	/** From the lowest to the highest. */
 	void addLayer(double altitude_in_map_m, const Bands& bands);
+	/** The layers, from the first to the last, that look at any of these heights. */
+	[[nodiscard]] KeyRange layersAt(const KeyRange& z) const;
 	void grow(const KeyRange& x, const KeyRange& y);
 	/** For voxels in these ranges and for the places that the body stood on. */
 	void growFor(KeyRange x, KeyRange y);
@@ -89,8 +94,9 @@ private:
 	BodyLayersConfig m_config;
 	RobotConfig m_robot;
 	LayerFrame m_frame;
-	std::vector<Bands> m_bands;  ///< of each layer
-	KeyRange m_heights;          ///< all that any layer looks at
+	std::vector<Bands> m_bands;         ///< of each layer
+	KeyRange m_heights;                 ///< all that any layer looks at
+	std::vector<KeyRange> m_layers_at;  ///< the layers that look at each of these heights; higher ones come later
 	std::vector<Counts> m_counts;
 	std::vector<CellState> m_states;
 	std::vector<Eigen::Vector3d> m_stood;  ///< since the last update

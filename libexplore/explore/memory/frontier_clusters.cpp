@@ -6,31 +6,43 @@ namespace explore
 {
 namespace
 {
-/** Where the cells are, in cells from the frame's corner. */
+struct PlacedCell
+{
+	std::size_t index;
+	Eigen::Vector2d place;  ///< column and row, from the first cell of the lot on: sums of whole numbers stay exact
+};
+
+/** Where cells are, in cells. */
 struct Spread
 {
 	Eigen::Vector2d mean = Eigen::Vector2d::Zero();
 	Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit vector along the longest
 	double length = 0.0;                              ///< along it, from end to end
+
+	[[nodiscard]] double along(const PlacedCell& cell) const { return (cell.place - mean).dot(axis); }
 };
 
-Eigen::Vector2d placeOf(const LayerFrame& frame, std::size_t index)
+std::vector<PlacedCell> placed(const LayerFrame& frame, const std::vector<std::size_t>& cells)
 {
-	const LayerCell cell = frame.cellOf(index);
-	return {cell.column, cell.row};
-}
-
-Spread spreadOf(const LayerFrame& frame, const std::vector<std::size_t>& cells)
-{
-	// Seen from the first cell, sums of whole numbers stay exact and do not depend on where the frame begins.
-	const Eigen::Vector2d origin = placeOf(frame, cells.front());
-	Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-	Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
+	const LayerCell first = frame.cellOf(cells.front());
+	std::vector<PlacedCell> all;
+	all.reserve(cells.size());
 	for (const std::size_t index : cells)
 	{
-		const Eigen::Vector2d place = placeOf(frame, index) - origin;
-		sum += place;
-		products += place * place.transpose();
+		const LayerCell cell = frame.cellOf(index);
+		all.push_back({index, {cell.column - first.column, cell.row - first.row}});
+	}
+	return all;
+}
+
+Spread spreadOf(const std::vector<PlacedCell>& cells)
+{
+	Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+	Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
+	for (const PlacedCell& cell : cells)
+	{
+		sum += cell.place;
+		products += cell.place * cell.place.transpose();
 	}
 	const auto count = static_cast<double>(cells.size());
 	const Eigen::Matrix2d scatter = count * products - sum * sum.transpose();
@@ -39,25 +51,25 @@ Spread spreadOf(const LayerFrame& frame, const std::vector<std::size_t>& cells)
 	spread.axis = {std::cos(angle_rad), std::sin(angle_rad)};
 	spread.mean = sum / count;
 	double low = 0.0, high = 0.0;
-	for (const std::size_t index : cells)
+	for (const PlacedCell& cell : cells)
 	{
-		const double along = (placeOf(frame, index) - origin - spread.mean).dot(spread.axis);
-		low = std::min(low, along);
-		high = std::max(high, along);
+		low = std::min(low, spread.along(cell));
+		high = std::max(high, spread.along(cell));
 	}
-	spread.mean += origin;
 	spread.length = high - low + 1.0;
 	return spread;
 }
 
-FrontierCluster described(const BodyLayers& layers, std::vector<std::size_t> cells)
+FrontierCluster described(const BodyLayers& layers, const std::vector<PlacedCell>& cells)
 {
 	const LayerFrame& frame = layers.frame();
 	FrontierCluster cluster;
 	Eigen::Vector2i sum = Eigen::Vector2i::Zero(), outward = sum;
-	for (const std::size_t index : cells)
+	cluster.cells.reserve(cells.size());
+	for (const PlacedCell& placed : cells)
 	{
-		const LayerCell cell = frame.cellOf(index);
+		cluster.cells.push_back(placed.index);
+		const LayerCell cell = frame.cellOf(placed.index);
 		cluster.layer = cell.layer;
 		sum += frame.first + Eigen::Vector2i(cell.column, cell.row);
 		for (const auto& [column, row] : kSides)
@@ -67,7 +79,6 @@ FrontierCluster described(const BodyLayers& layers, std::vector<std::size_t> cel
 	const Eigen::Vector2d mean = sum.cast<double>() / static_cast<double>(cells.size());
 	cluster.centroid_in_map = frame.resolution_m * (mean + Eigen::Vector2d::Constant(0.5));
 	cluster.outward = outward.cast<double>().normalized();
-	cluster.cells = std::move(cells);
 	return cluster;
 }
 }  // namespace
@@ -85,23 +96,22 @@ bool isFrontier(const BodyLayers& layers, const LayerCell& cell)
 std::vector<FrontierCluster> clustersOf(const BodyLayers& layers, const std::vector<std::size_t>& cells,
                                         double max_length_m)
 {
-	const LayerFrame& frame = layers.frame();
+	const double max_length = max_length_m / layers.frame().resolution_m;
 	std::vector<FrontierCluster> clusters;
-	std::vector<std::vector<std::size_t>> rest{cells};
+	std::vector<std::vector<PlacedCell>> rest{placed(layers.frame(), cells)};
 	while (!rest.empty())
 	{
-		std::vector<std::size_t> piece = std::move(rest.back());
+		const std::vector<PlacedCell> piece = std::move(rest.back());
 		rest.pop_back();
-		const Spread spread = spreadOf(frame, piece);
-		if (piece.size() == 1 || frame.resolution_m * spread.length <= max_length_m)
+		const Spread spread = spreadOf(piece);
+		if (piece.size() == 1 || spread.length <= max_length)
 		{
-			clusters.push_back(described(layers, std::move(piece)));
+			clusters.push_back(described(layers, piece));
 			continue;
 		}
-		std::vector<std::size_t>& near = rest.emplace_back();
-		std::vector<std::size_t> far;
-		for (const std::size_t index : piece)
-			((placeOf(frame, index) - spread.mean).dot(spread.axis) < 0.0 ? near : far).push_back(index);
+		std::vector<PlacedCell> near, far;
+		for (const PlacedCell& cell : piece) (spread.along(cell) < 0.0 ? near : far).push_back(cell);
+		rest.push_back(std::move(near));
 		rest.push_back(std::move(far));
 	}
 	std::ranges::sort(clusters, {}, [](const FrontierCluster& cluster) { return cluster.cells.front(); });

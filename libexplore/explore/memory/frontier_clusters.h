@@ -3,6 +3,7 @@
 
 #include <explore/memory/body_layers.h>
 
+#include <array>
 #include <vector>
 
 namespace explore
