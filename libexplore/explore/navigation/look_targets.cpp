@@ -41,6 +41,14 @@ void forEachPlace(const PlanMap& map, const TravelField& field, const WantedFron
 		}
 }
 
+/** Whether it can be seen from where the robot is, whether it might stand there or not. */
+bool isNearStart(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                 const PlanConfig& config)
+{
+	if (field.start == kNoCell) return false;
+	return (map.middleOf(field.start) - frontier.middle_in_map).norm() <= config.view_range_m;
+}
+
 /** Whether `a` comes before `b` as a place to look from. */
 bool isCheaper(const LookTarget& a, const LookTarget& b)
 {
@@ -77,14 +85,15 @@ std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field,
 {
 	std::vector<LookTarget> targets;
 	double best_gain_m2 = 0.0;
-	forEachPlace(map, field, frontier, kLattice_cells,
-	             [&](CellIndex cell)
-	             {
-		             LookTarget target = targetAt(map, field, cell, frontier);
-		             target.gain_m2 = lookGain(map, target.look, config);
-		             best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
-		             targets.push_back(target);
-	             });
+	const auto consider = [&](CellIndex cell)
+	{
+		LookTarget target = targetAt(map, field, cell, frontier);
+		target.gain_m2 = lookGain(map, target.look, config);
+		best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
+		targets.push_back(target);
+	};
+	forEachPlace(map, field, frontier, kLattice_cells, consider);
+	if (isNearStart(map, field, frontier, config)) consider(field.start);
 	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
 	std::erase_if(targets,
 	              [&](const LookTarget& target)
@@ -105,6 +114,7 @@ std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& fi
 		             nearest_m = away_m;
 		             nearest = targetAt(map, field, cell, frontier);
 	             });
+	if (!nearest && isNearStart(map, field, frontier, config)) nearest = targetAt(map, field, field.start, frontier);
 	if (nearest) nearest->gain_m2 = lookGain(map, nearest->look, config);
 	return nearest && nearest->gain_m2 >= config.min_gain_m2 ? nearest : std::nullopt;
 }

@@ -8,6 +8,9 @@ namespace explore
 {
 namespace
 {
+/** Unknown space that the body touches all but: it stands there, and gets away from it as it moves. */
+constexpr double kTouch_cells = 2.5;
+
 int nearestLayer(const LayerFrame& frame, double z_m)
 {
 	const auto nearer = [&](double a, double b) { return std::abs(a - z_m) < std::abs(b - z_m); };
@@ -51,6 +54,8 @@ PointCloud mapObstacles(const BodyLayers& layers, const Eigen::Isometry3d& map_f
 			if (!blocks(layers, cell)) continue;
 			const Eigen::Vector2d centre =
 			    frame.corner_in_map + frame.resolution_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+			const bool touches = (centre - at.head<2>()).norm() < robot.radius_m + kTouch_cells * frame.resolution_m;
+			if (touches && layers.stateOf(cell) == CellState::unknown) continue;
 			const Eigen::Vector3d point(centre.x(), centre.y(), z_m);
 			points.push_back((robot_from_map * point).cast<float>());
 		}

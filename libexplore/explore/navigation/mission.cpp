@@ -215,7 +215,10 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	Plan plan = planNow(mission, memory, now, robot, config);
 	mission.open_frontiers = plan.targets.size();
 	if (mission.goal && mission.goal->kind != GoalKind::home && !isWorthKeeping(*mission.goal, plan, config.plan))
+	{
 		mission.goal.reset();
+		mission.goal_lost = true;
+	}
 
 	const MissionEnd spent = overBudget(mission) ? mission.end : budgetSpent(mission, plan, now, robot, config);
 	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
@@ -258,6 +261,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
             const MissionConfig& config)
 {
 	count(mission, now);
+	mission.goal_lost = false;
 	if (mission.phase == MissionPhase::done) return;
 	bool plans = now.t_s - mission.planned_at_s >= config.plan.period_s || !mission.goal;
 	if (mission.goal && isReached(*mission.goal, now, config.plan))

@@ -75,6 +75,7 @@ struct Mission
 	std::optional<Eigen::Vector3d> robot_in_map;  ///< in the last frame
 	double path_m = 0;
 	std::optional<MissionGoal> goal;
+	bool goal_lost = false;                   ///< in this frame, by what the map newly shows
 	std::vector<Eigen::Vector3d> way_in_map;  ///< corners, from the robot to the goal
 	std::vector<LeftGoal> left;
 	std::vector<TriedFrontier> tried;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace explore
 {
@@ -18,22 +19,47 @@ bool isObstacle(CellState state)
 	return state == CellState::occupied || state == CellState::drop;
 }
 
-/** Distances [m] in each layer to the cells that `is` holds of. */
-template <class Is>
-std::vector<float> distances(const PlanMap& map, double limit_m, const Is& is)
+template <class Visit>
+void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
+{
+	const Eigen::Array3i place = map.placeOf(cell);
+	for (const auto& [dx, dy] : kBeside)
+		if (const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0); map.contains(next)) visit(map.cellAt(next));
+}
+
+/** Distances [m] in each layer to the marked cells. */
+std::vector<float> distances(const PlanMap& map, const std::vector<std::uint8_t>& marked, double limit_m)
 {
 	const GridSize size{map.frame.columns, map.frame.rows};
 	const int limit = std::clamp(static_cast<int>(std::ceil(limit_m / map.frame.resolution_m)), 1, 127);
 	std::vector<float> all;
-	all.reserve(map.cells.size());
-	std::vector<std::uint8_t> marked(map.layerCells());
-	for (std::size_t first = 0; first < map.cells.size(); first += map.layerCells())
-	{
-		for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = is(map.cells[first + i]) ? 1 : 0;
-		for (const float cells : cappedDistance(marked, size, limit))
+	all.reserve(marked.size());
+	for (std::size_t first = 0; first < marked.size(); first += map.frame.cellsInLayer())
+		for (const float cells :
+		     cappedDistance(std::span(marked).subspan(first, map.frame.cellsInLayer()), size, limit))
 			all.push_back(cells * static_cast<float>(map.frame.resolution_m));
-	}
 	return all;
+}
+
+std::vector<std::uint8_t> obstacles(const PlanMap& map)
+{
+	std::vector<std::uint8_t> marked(map.cells.size(), 0);
+	std::transform(map.cells.begin(), map.cells.end(), marked.begin(),
+	               [](CellState state) { return isObstacle(state) ? 1 : 0; });
+	return marked;
+}
+
+/** Unknown cells beside free ones: others lie behind what stands there. */
+std::vector<std::uint8_t> edgesOfUnknown(const PlanMap& map)
+{
+	std::vector<std::uint8_t> marked(map.cells.size(), 0);
+	for (std::size_t i = 0; i < map.cells.size(); ++i)
+	{
+		if (map.cells[i] != CellState::free) continue;
+		forEachBeside(map, static_cast<CellIndex>(i),
+		              [&](CellIndex next) { marked[next] |= map.cells[next] == CellState::unknown ? 1 : 0; });
+	}
+	return marked;
 }
 
 void markAllowed(PlanMap& map, const AllowedArea& area)
@@ -44,14 +70,14 @@ void markAllowed(PlanMap& map, const AllowedArea& area)
 		map.allowed[i] = area.allows(map.middleOf(static_cast<CellIndex>(i)).head<2>()) ? 1 : 0;
 }
 
+/** The cells beside it, above and below too. */
 template <class Visit>
-void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
+void forEachNext(const PlanMap& map, CellIndex cell, const Visit& visit)
 {
-	const Eigen::Array3i place = map.placeOf(cell);
-	for (const auto& [dx, dy] : kBeside)
-		if (const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0); map.contains(next)) visit(map.cellAt(next));
+	forEachBeside(map, cell, visit);
 	for (const int dz : {-1, 1})
-		if (const Eigen::Array3i next = place + Eigen::Array3i(0, 0, dz); map.contains(next)) visit(map.cellAt(next));
+		if (const Eigen::Array3i next = map.placeOf(cell) + Eigen::Array3i(0, 0, dz); map.contains(next))
+			visit(map.cellAt(next));
 }
 
 void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
@@ -76,7 +102,7 @@ std::vector<std::uint8_t> mightReach(const PlanMap& map, CellIndex start, double
 	{
 		const CellIndex cell = open.back();
 		open.pop_back();
-		forEachBeside(map, cell,
+		forEachNext(map, cell,
 		              [&](CellIndex next)
 		              {
 			              const bool fits = map.allowed[next] != 0 && map.obstacle_m[next] >= fit_m;
@@ -96,7 +122,7 @@ void markWanted(PlanMap& map, CellIndex start)
 	{
 		if (map.cells[i] != CellState::unknown) map.wanted[i] = 0;
 		if (map.wanted[i] == 0) continue;
-		forEachBeside(map, static_cast<CellIndex>(i), [&](CellIndex next) { map.near_wanted[next] = 1; });
+		forEachNext(map, static_cast<CellIndex>(i), [&](CellIndex next) { map.near_wanted[next] = 1; });
 	}
 }
 }  // namespace
@@ -142,15 +168,18 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 	map.frame = input.layers.frame();
 	map.cells = input.layers.cells();
 	map.fit_m = robot.radius_m + config.clearance_m;
-	map.obstacle_m = distances(map, std::max(config.comfort_m, map.fit_m) + map.frame.resolution_m, isObstacle);
-	const std::vector<float> unknown_m =
-	    distances(map, robot.radius_m, [](CellState state) { return state == CellState::unknown; });
+	map.obstacle_m =
+	    distances(map, obstacles(map), std::max(config.comfort_m, map.fit_m) + map.frame.resolution_m);
+	// A cell farther than from obstacles: the avoider keeps as far from what is not known as from those, and must not
+	// be led into what it would refuse.
+	const double known_m = map.fit_m + map.frame.resolution_m;
+	const std::vector<float> unknown_m = distances(map, edgesOfUnknown(map), known_m);
 	markAllowed(map, input.area);
 
 	map.passable.resize(map.cells.size());
 	for (std::size_t i = 0; i < map.cells.size(); ++i)
 	{
-		const bool known = unknown_m[i] >= robot.radius_m - 0.5 * map.frame.resolution_m;
+		const bool known = unknown_m[i] >= known_m;
 		map.passable[i] =
 		    map.allowed[i] != 0 && map.cells[i] == CellState::free && map.obstacle_m[i] >= map.fit_m && known ? 1 : 0;
 	}

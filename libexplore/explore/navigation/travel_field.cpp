@@ -131,6 +131,7 @@ TravelField travelFrom(const PlanMap& map, CellIndex start, const RobotConfig& r
 	const std::vector<Step> steps = stepsOf(map.frame);
 	const CellWeights weights(map, start, robot, config);
 	BucketQueue queue(dearestStep(steps, config));
+	field.start = start;
 	field.cost[start] = 0;
 	field.from[start] = start;
 	queue.push(start, 0);

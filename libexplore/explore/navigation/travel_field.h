@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::
 /** Costs and where they come from, by cell. */
 struct TravelField
 {
+	CellIndex start = kNoCell;
 	double cost_per_m = 1;            ///< units of `cost` for a metre in the open
 	std::vector<std::uint32_t> cost;  ///< kUnreached where no way leads
 	std::vector<CellIndex> from;      ///< the cell before on the way; of the start the start itself

@@ -8,8 +8,6 @@ namespace explore
 {
 namespace
 {
-constexpr double kUsualDoorHeight_m = 2.0;
-
 Eigen::Vector3d onFloor(const std::optional<Ground>& ground, const Eigen::Vector3d& point)
 {
 	if (!ground || std::abs(ground->plane.normal.z()) < 0.1) return {point.x(), point.y(), 0.0};
