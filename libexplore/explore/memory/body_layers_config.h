@@ -8,7 +8,7 @@ namespace explore
 struct BodyLayersConfig
 {
 	double floor_z_m = 0.0;            ///< of the floor in the map
-	double lowest_m = 0.10;            ///< ground robot: it rolls over what is lower
+	double lowest_m = 0.05;            ///< ground robot: it rolls over what is lower
 	double layer_step_m = 0.25;        ///< MAV: between altitudes
 	double body_margin_m = 0.05;       ///< MAV: added to the body above and below
 	double drop_m = 0.10;              ///< ground robot: how far below the floor free space is a drop …

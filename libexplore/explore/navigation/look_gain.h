@@ -17,4 +17,7 @@ struct Look
 /** Area [m²] of wanted space in the camera's wedge: rays end at the view range, at what stands there, at what is not
  * known and not wanted, and where they have passed view_depth_m of unknown space. */
 double lookGain(const PlanMap& map, const Look& look, const PlanConfig& config);
+
+/** Whether a point in the look's layer is in its wedge and range, with nothing but free space before it. */
+bool sees(const PlanMap& map, const Look& look, const Eigen::Vector3d& point_in_map, const PlanConfig& config);
 }  // namespace explore

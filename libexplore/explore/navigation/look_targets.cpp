@@ -118,4 +118,18 @@ std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& fi
 	if (nearest) nearest->gain_m2 = lookGain(map, nearest->look, config);
 	return nearest && nearest->gain_m2 >= config.min_gain_m2 ? nearest : std::nullopt;
 }
+
+std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTarget> targets, const PlanConfig& config)
+{
+	std::stable_sort(targets.begin(), targets.end(),
+	                 [](const LookTarget& a, const LookTarget& b) { return a.gain_m2 > b.gain_m2; });
+	std::vector<LookTarget> kept;
+	for (const LookTarget& target : targets)
+	{
+		const bool shown = std::any_of(kept.begin(), kept.end(), [&](const LookTarget& other)
+		                               { return sees(map, other.look, target.frontier_in_map, config); });
+		if (!shown) kept.push_back(target);
+	}
+	return kept;
+}
 }  // namespace explore

@@ -38,4 +38,8 @@ std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field,
 /** The reachable place nearest to a frontier, looking at it: where an explorer without looks would go. */
 std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
                                        const PlanConfig& config);
+
+/** Without those whose frontier another look, of more gain, shows as well. */
+std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTarget> targets,
+                                         const PlanConfig& config);
 }  // namespace explore

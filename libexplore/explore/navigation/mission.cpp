@@ -74,7 +74,7 @@ std::vector<LookTarget> targetsOf(const Plan& plan, const FrontierMemory& memory
 		                          : nearestPlace(plan.map, plan.field, frontier, config.plan);
 		if (target && !wasTried(mission, *target)) targets.push_back(*target);
 	}
-	return targets;
+	return looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : targets;
 }
 
 Plan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now, const RobotConfig& robot,

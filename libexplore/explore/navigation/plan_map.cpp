@@ -91,8 +91,9 @@ void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
 				map.blocked[map.cellAt(place)] = 1;
 }
 
-/** What the body might get to if all that is unknown were free. */
-std::vector<std::uint8_t> mightReach(const PlanMap& map, CellIndex start, double fit_m)
+/** The cells that are joined to `start` by cells that `is` holds of, itself included. */
+template <class Is>
+std::vector<std::uint8_t> joinedTo(const PlanMap& map, CellIndex start, const Is& is)
 {
 	std::vector<std::uint8_t> reached(map.cells.size(), 0);
 	if (start == kNoCell) return reached;
@@ -103,26 +104,29 @@ std::vector<std::uint8_t> mightReach(const PlanMap& map, CellIndex start, double
 		const CellIndex cell = open.back();
 		open.pop_back();
 		forEachNext(map, cell,
-		              [&](CellIndex next)
-		              {
-			              const bool fits = map.allowed[next] != 0 && map.obstacle_m[next] >= fit_m;
-			              if (reached[next] != 0 || !fits) return;
-			              reached[next] = 1;
-			              open.push_back(next);
-		              });
+		            [&](CellIndex next)
+		            {
+			            if (reached[next] != 0 || !is(next)) return;
+			            reached[next] = 1;
+			            open.push_back(next);
+		            });
 	}
 	return reached;
 }
 
 void markWanted(PlanMap& map, CellIndex start)
 {
-	map.wanted = mightReach(map, start, map.fit_m);
+	map.wanted = joinedTo(map, start, [&](CellIndex cell)
+	                      { return map.allowed[cell] != 0 && map.obstacle_m[cell] >= map.fit_m; });
+	// What is seen through a window, or by a ray of noise through a wall, is free but not joined to where the robot is.
+	const std::vector<std::uint8_t> joined =
+	    joinedTo(map, start, [&](CellIndex cell) { return map.cells[cell] == CellState::free; });
 	map.near_wanted.assign(map.cells.size(), 0);
 	for (std::size_t i = 0; i < map.cells.size(); ++i)
 	{
 		if (map.cells[i] != CellState::unknown) map.wanted[i] = 0;
 		if (map.wanted[i] == 0) continue;
-		forEachNext(map, static_cast<CellIndex>(i), [&](CellIndex next) { map.near_wanted[next] = 1; });
+		forEachNext(map, static_cast<CellIndex>(i), [&](CellIndex next) { map.near_wanted[next] = joined[next]; });
 	}
 }
 }  // namespace

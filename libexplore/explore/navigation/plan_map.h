@@ -28,7 +28,7 @@ struct PlanMap
 	std::vector<std::uint8_t> passable;     ///< allowed, and all that the body covers there is known and free
 	std::vector<std::uint8_t> blocked;      ///< passable by the map, but the robot was stopped there lately
 	std::vector<std::uint8_t> wanted;       ///< unknown, and the body might get there and fit
-	std::vector<std::uint8_t> near_wanted;  ///< has such an unknown cell beside it
+	std::vector<std::uint8_t> near_wanted;  ///< joined to the robot by free cells, with such an unknown one beside it
 
 	[[nodiscard]] std::size_t layerCells() const
 	{

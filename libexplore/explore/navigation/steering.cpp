@@ -19,6 +19,8 @@ constexpr double kFaced_rad = 0.08;
 constexpr double kTurnTime_s = 0.5;
 /** Blocked for so long, it backs off so far, so fast; the spot ahead is avoided for a while. */
 constexpr double kPatience_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
+/** A robot that drives gets this far within its patience. */
+constexpr double kHeadway_m = 0.05;
 
 /** Of a point on the way: its distance from `at`, and how far along the way it lies. */
 struct OnWay
@@ -95,6 +97,25 @@ void blockAhead(Mission& mission, const MissionNow& now)
 	mission.planned_at_s = 0.0;
 }
 
+/** Whether the robot drives, and gets nowhere: it has run into something that it does not see. */
+bool isHeld(Steering& steering, const MissionNow& now)
+{
+	const Eigen::Vector3d at = now.map_from_robot.translation();
+	if (!steering.driving || (at - steering.got_to_in_map).norm() > kHeadway_m)
+	{
+		steering.got_to_in_map = at;
+		steering.got_there_at_s = now.t_s;
+	}
+	return now.t_s - steering.got_there_at_s > kPatience_s;
+}
+
+/** Whether the robot has had no way for a while. */
+bool isStuck(Steering& steering, const MissionNow& now)
+{
+	const bool held = isHeld(steering, now);
+	return held || (steering.blocked_since_s && now.t_s - *steering.blocked_since_s >= kPatience_s);
+}
+
 /** Whether the robot is backing off in this frame. */
 bool backsOff(Steering& steering, Mission& mission, const FrontierMemory& memory, const MissionNow& now,
               const RobotConfig& robot)
@@ -107,8 +128,9 @@ bool backsOff(Steering& steering, Mission& mission, const FrontierMemory& memory
 		steering.backing_from_in_map.reset();
 		return false;
 	}
-	if (!steering.blocked_since_s || now.t_s - *steering.blocked_since_s < kPatience_s) return false;
-	steering.blocked_since_s = now.t_s;
+	if (!isStuck(steering, now)) return false;
+	steering.blocked_since_s.reset();
+	steering.got_there_at_s = now.t_s;
 	blockAhead(mission, now);
 	if (free_behind) steering.backing_from_in_map = at;
 	return free_behind;
@@ -170,6 +192,7 @@ Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const Rob
 
 void noteDecision(Steering& steering, const Decision& decision, double t_s)
 {
+	steering.driving = decision.command.velocity_mps.x() > 0.0;
 	if (!decision.stop)
 		steering.blocked_since_s.reset();
 	else if (!steering.blocked_since_s)
