@@ -70,7 +70,7 @@ std::string commandOf(const EvalOptions& options)
 
 int makeGallery(const EvalOptions& options)
 {
-	const LoadedConfig loaded = loadConfig(options);
+	const LoadedConfig loaded = loadScoredConfig(options);
 	makeFolder(fs::path(options.out) / kPictures);
 	std::set<std::string> names;
 	std::vector<GalleryScene> scenes;

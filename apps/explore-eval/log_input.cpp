@@ -33,6 +33,13 @@ AppConfig configFor(const std::string& log, const std::optional<TruthLog>& truth
 }
 }  // namespace
 
+LoadedConfig loadScoredConfig(const EvalOptions& options)
+{
+	ConfigChoices choices = options;
+	choices.set.insert(choices.set.begin(), "memory.enabled=false");
+	return loadConfig(choices);
+}
+
 MessageList::MessageList() : COutputLogger("explore-eval")
 {
 	logging_enable_console_output = false;

@@ -35,6 +35,10 @@ struct ReplayedFrame
 	const StepResult& result;
 };
 
+/** As loadConfig(), but frames are judged one by one: [memory] enabled is false whatever the ini says, unless --set
+ * says otherwise. */
+LoadedConfig loadScoredConfig(const EvalOptions& options);
+
 class LogInput
 {
 public:

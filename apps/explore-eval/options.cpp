@@ -111,6 +111,7 @@ ParsedEvalOptions parseEvalOptions(int argc, const char* const* argv)
 	addCompareCommand(app, parsed.options, cost);
 	addGalleryCommand(app, parsed.options);
 	app.footer(
+	    "Frames are judged one by one: memory.enabled is false, whatever the ini says, unless --set names it.\n"
 	    "Exit codes: 0 done, 1 a requirement was missed or a cost exceeded (or internal error), 2 usage or "
 	    "configuration,\n"
 	    "3 a log or part unreadable or damaged, 5 output cannot be written.");

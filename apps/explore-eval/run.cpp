@@ -2,6 +2,7 @@
 #include <explore-eval/compare_command.h>
 #include <explore-eval/eval_outputs.h>
 #include <explore-eval/gallery.h>
+#include <explore-eval/log_input.h>
 #include <explore-eval/merge_parts.h>
 #include <explore-eval/process_pool.h>
 #include <explore-eval/run.h>
@@ -96,7 +97,7 @@ int conclude(const Evaluation& evaluation, const Results& results, const std::st
 
 int evaluate(const EvalOptions& options)
 {
-	const LoadedConfig loaded = loadConfig(options);
+	const LoadedConfig loaded = loadScoredConfig(options);
 	if (!options.out.empty()) prepareEvalFolder(options.out);
 	Scored scored = scoreLogs(options, loaded);
 	const Evaluation evaluation{setupOf(options, loaded.config), std::move(scored.logs)};

@@ -19,8 +19,8 @@ RunOutputs::RunOutputs(const Options& options, const AppConfig& config)
 	if (!m_paths) return;
 	const OutputConfig& output = config.output;
 	if (output.timing)
-		m_timing.emplace(m_paths->timing,
-		                 std::vector<std::string>{"read", "perceive", "choose", "avoid", "heading", "write"});
+		m_timing.emplace(m_paths->timing, std::vector<std::string>{"read", "perceive", "remember", "choose", "avoid",
+		                                                           "heading", "write"});
 	if (output.trajectory) m_trajectory.emplace(m_paths->trajectory);
 	if (output.trajectory && config.source.kind == SourceKind::simulator) m_truth.emplace(m_paths->truth);
 	if (output.pictures_every > 0)

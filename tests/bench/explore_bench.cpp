@@ -62,7 +62,7 @@ Stages stagesOf(const DepthFrame& frame)
 	stages.walls = findWalls(stages.obstacles, stages.voxels.size(), stages.ground.value().plane,
 	                         stages.camera_in_robot, perception.walls, perception.planes, random);
 	ExplorerState state;
-	stages.goal = chooseGoal(step(frame, state, config()).percepts, config().robot, config().goal);
+	stages.goal = chooseGoal(step(frame, state, config()).percepts, config().robot);
 	return stages;
 }
 

@@ -1,6 +1,6 @@
 #include <explore/navigation/avoider.h>
-#include <explore/navigation/goal_choice.h>
 #include <explore/navigation/heading.h>
+#include <explore/navigation/mission_config.h>
 #include <explore/navigation/near_field_guard.h>
 #include <gmock/gmock.h>
 
@@ -41,9 +41,10 @@ public:
 	{
 		note(key, value ? 1 : 0, {0, 1}, help);
 	}
-	void text(std::string_view key, std::string& /*value*/, std::string_view /*help*/) override
+	void text(std::string_view key, std::string& value, std::string_view help) override
 	{
-		ADD_FAILURE() << "unexpected text " << key;
+		EXPECT_FALSE(help.empty()) << key;
+		EXPECT_TRUE(m_texts.emplace(m_section + "." + std::string(key), value).second) << key << " twice";
 	}
 	void choiceIndex(std::string_view key, int& index, std::span<const std::string_view> names,
 	                 std::string_view help) override
@@ -53,6 +54,8 @@ public:
 	}
 
 	[[nodiscard]] const std::map<std::string, double>& values() const { return m_values; }
+	[[nodiscard]] const std::map<std::string, std::string>& texts() const { return m_texts; }
+	/** Of the last choice. */
 	[[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
 
 private:
@@ -67,6 +70,7 @@ private:
 
 	std::string m_section;
 	std::map<std::string, double> m_values;
+	std::map<std::string, std::string> m_texts;
 	std::vector<std::string> m_names;
 };
 
@@ -103,13 +107,22 @@ TEST(Fields, HeadingAndGuardShareASection)
 	                                 Pair("heading.near_warn_distance", 0.3), Pair("heading.no_return_rise", 0.3)));
 }
 
-TEST(Fields, GoalPolicyIsThePapers)
+TEST(Fields, TheMissionExploresEverywhereAndForAsLongAsItTakes)
 {
 	Recorder recorder;
-	GoalConfig config;
+	MissionConfig config;
 	describe(recorder, config);
-	EXPECT_THAT(recorder.values(), UnorderedElementsAre(Pair("goal.policy", 0)));
-	EXPECT_THAT(recorder.names(), testing::ElementsAre("paper"));
+	EXPECT_THAT(recorder.names(), testing::ElementsAre("paper", "nearest_frontier", "explore"));
+	EXPECT_THAT(recorder.values(),
+	            UnorderedElementsAre(Pair("goal.policy", 2), Pair("plan.clearance", 0.05), Pair("plan.comfort", 0.45),
+	                                 Pair("plan.clearance_cost", 2), Pair("plan.view_range", 4),
+	                                 Pair("plan.view_angle_deg", DoubleNear(57, 1e-6)), Pair("plan.view_depth", 1),
+	                                 Pair("plan.min_gain", 0.06), Pair("plan.turn_cost", 0.15),
+	                                 Pair("plan.arrive", 0.15), Pair("plan.home", 0.05), Pair("plan.switch_gain", 1.5),
+	                                 Pair("plan.period", 0.5), Pair("bounds.enabled", 0), Pair("bounds.min_x", -10),
+	                                 Pair("bounds.max_x", 10), Pair("bounds.min_y", -10), Pair("bounds.max_y", 10),
+	                                 Pair("budget.time", 0), Pair("budget.path", 0), Pair("budget.reserve", 0.3)));
+	EXPECT_THAT(recorder.texts(), testing::ElementsAre(Pair("bounds.keep_out", "")));
 }
 }  // namespace
 }  // namespace explore

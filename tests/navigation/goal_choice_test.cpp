@@ -32,7 +32,7 @@ TEST(GoalChoice, NearestDoorComesBeforeTheVanishingPoint)
 	percepts.doors = {doorAt(3.0, 2.0), doorAt(2.0, -1.0), doorAt(4.0, 0.0)};
 	percepts.doors[1].track = 7;
 	percepts.vanishing_points = {vanishingAt(5.0, 0.5, 100)};
-	const GoalChoice choice = chooseGoal(percepts, RobotConfig(), GoalConfig());
+	const GoalChoice choice = chooseGoal(percepts, RobotConfig());
 	ASSERT_TRUE(choice.door_rad);
 	EXPECT_DOUBLE_EQ(*choice.door_rad, std::atan2(-1.0, 2.0));
 	EXPECT_EQ(choice.desired_rad, *choice.door_rad);
@@ -47,7 +47,7 @@ TEST(GoalChoice, VanishingPointWithMostInliersWithoutADoor)
 {
 	Percepts percepts;
 	percepts.vanishing_points = {vanishingAt(5.0, 2.0, 100), vanishingAt(4.0, -1.0, 300), vanishingAt(3.0, 0.0, 200)};
-	const GoalChoice choice = chooseGoal(percepts, RobotConfig(), GoalConfig());
+	const GoalChoice choice = chooseGoal(percepts, RobotConfig());
 	EXPECT_FALSE(choice.door_rad);
 	EXPECT_DOUBLE_EQ(choice.desired_rad, std::atan2(-1.0, 4.0));
 	EXPECT_EQ(choice.goal.kind, GoalKind::corridor);
@@ -56,7 +56,7 @@ TEST(GoalChoice, VanishingPointWithMostInliersWithoutADoor)
 
 TEST(GoalChoice, StraightOnWhenThereIsNothing)
 {
-	const GoalChoice choice = chooseGoal(Percepts(), RobotConfig(), GoalConfig());
+	const GoalChoice choice = chooseGoal(Percepts(), RobotConfig());
 	EXPECT_FALSE(choice.door_rad);
 	EXPECT_FALSE(choice.vanishing_point_rad);
 	EXPECT_EQ(choice.desired_rad, 0.0);
@@ -73,7 +73,7 @@ TEST(GoalChoice, OnlyDoorsThatCanBePassedNowCount)
 	{
 		Percepts percepts;
 		percepts.doors = {doorAt(2.0, 1.0, 0.9, verdict)};
-		EXPECT_EQ(chooseGoal(percepts, RobotConfig(), GoalConfig()).door_rad.has_value(), counts) << nameOf(verdict);
+		EXPECT_EQ(chooseGoal(percepts, RobotConfig()).door_rad.has_value(), counts) << nameOf(verdict);
 	}
 }
 
@@ -81,14 +81,14 @@ TEST(GoalChoice, TooNarrowOrTooLowIsNoDoorForThisRobot)
 {
 	Percepts percepts;
 	percepts.doors = {doorAt(2.0, 1.0, 0.53), doorAt(4.0, 1.0, 0.55)};  // the robot needs 0.44 + 0.10 m
-	GoalChoice choice = chooseGoal(percepts, RobotConfig(), GoalConfig());
+	GoalChoice choice = chooseGoal(percepts, RobotConfig());
 	ASSERT_TRUE(choice.door_rad);
 	EXPECT_DOUBLE_EQ(*choice.door_rad, std::atan2(1.0, 4.0));
 
 	percepts.doors[1].height_m = 0.55;
-	EXPECT_FALSE(chooseGoal(percepts, RobotConfig(), GoalConfig()).door_rad);
+	EXPECT_FALSE(chooseGoal(percepts, RobotConfig()).door_rad);
 	percepts.doors[1].height_m = 2.0;
-	EXPECT_TRUE(chooseGoal(percepts, RobotConfig(), GoalConfig()).door_rad);
+	EXPECT_TRUE(chooseGoal(percepts, RobotConfig()).door_rad);
 }
 
 TEST(GoalChoice, AzimuthIsAboutTheFloorsNormal)
@@ -101,7 +101,7 @@ TEST(GoalChoice, AzimuthIsAboutTheFloorsNormal)
 	percepts.ground->plane = {robot_from_level * Eigen::Vector3d::UnitZ(), 0.5};
 	percepts.doors = {doorAt(0.0, 0.0)};
 	percepts.doors[0].center = robot_from_level * Eigen::Vector3d(2.0, 1.0, 0.5);
-	const GoalChoice choice = chooseGoal(percepts, RobotConfig(), GoalConfig());
+	const GoalChoice choice = chooseGoal(percepts, RobotConfig());
 	ASSERT_TRUE(choice.door_rad);
 	EXPECT_NEAR(*choice.door_rad, std::atan2(1.0, 2.0), 1e-12);
 }

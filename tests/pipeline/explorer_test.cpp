@@ -146,7 +146,7 @@ TEST(Step, NamesEveryStageOnceInOrder)
 	std::vector<std::string> stages;
 	ExplorerState state;
 	step(frameOf(doorAhead(0)), state, {}, [&](std::string_view stage) { stages.emplace_back(stage); });
-	EXPECT_EQ(stages, (std::vector<std::string>{"perceive", "choose", "avoid", "heading"}));
+	EXPECT_EQ(stages, (std::vector<std::string>{"perceive", "remember", "choose", "avoid", "heading"}));
 }
 
 TEST(Step, EveryAvoiderDrivesThroughAnOpenCorridor)
