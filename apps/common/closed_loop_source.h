@@ -2,6 +2,7 @@
 #pragma once
 
 #include <common/app_config.h>
+#include <explore/core/truth.h>
 #include <explore/sources/source.h>
 
 #include <filesystem>
@@ -24,6 +25,8 @@ class ClosedLoopSource : public FrameSource
 public:
 	virtual void obey(const Command& command) = 0;
 	[[nodiscard]] virtual TrueState trueState() const = 0;
+	/** Where the robot could get to from its start, as the world is; takes up to a second or two. */
+	[[nodiscard]] virtual TruthReach reachable() const = 0;
 };
 
 /** The simulator that `loaded` describes; its world is found as findWorldOfIni() does, but where the command line names

@@ -4,6 +4,7 @@
 #include <explore/core/errors.h>
 #include <explore/simulation/closed_loop.h>
 #include <explore/simulation/load_world.h>
+#include <explore/simulation/reachable_space.h>
 #include <explore/simulation/start_pose.h>
 #include <explore/sources/gravity_track.h>
 
@@ -48,7 +49,8 @@ public:
 	      m_gravity_from_imu(config.source.gravity_from_imu),
 	      m_world(loadWorld(path, usualWorldPaths())),
 	      m_scene(m_world),
-	      m_loop(m_scene, closedLoopConfig(config, m_world)),
+	      m_loop_config(closedLoopConfig(config, m_world)),
+	      m_loop(m_scene, m_loop_config),
 	      m_warn(logger)
 	{
 		for (const std::string& warning : m_world.warnings)
@@ -78,6 +80,11 @@ public:
 		return {robot.trueState().t_s, robot.trueState().mapFromRobot(), robot.contacts().size(),
 		        m_loop.minClearance()};
 	}
+	[[nodiscard]] TruthReach reachable() const override
+	{
+		const auto& start = m_loop_config.map_from_start;
+		return reachableSpace(m_world, m_loop_config.recorder.robot, {start.x(), start.y(), start.z()});
+	}
 
 private:
 	/** From the readings up to `time`: those of a recording that come after a frame are not there yet. */
@@ -92,6 +99,7 @@ private:
 	bool m_gravity_from_imu;
 	World m_world;
 	RayScene m_scene;
+	ClosedLoopConfig m_loop_config;
 	ClosedLoop m_loop;
 	WarnOnce m_warn;
 	GravityTrack m_gravity;

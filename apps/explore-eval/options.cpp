@@ -19,6 +19,14 @@ CLI::Option* addRequire(CLI::App& app, std::string& require)
 	    ->type_name("LIST");
 }
 
+void addJobsOption(CLI::App& app, EvalOptions& options, const std::string& help)
+{
+	app.add_option("--jobs", options.jobs, help)
+	    ->type_name("N")
+	    ->check(CLI::Range(1, 1024).description(""))
+	    ->capture_default_str();
+}
+
 void addScoreOptions(CLI::App& app, EvalOptions& options)
 {
 	app.add_option("LOG", options.logs, "Rawlogs; LOG.truth.json beside each is its truth")->type_name("");
@@ -26,11 +34,7 @@ void addScoreOptions(CLI::App& app, EvalOptions& options)
 	addOverrideOptions(app, options,
 	                   "ground or mav: the ini's robot (that kind's usual one where the ini says the other) instead of "
 	                   "the one of each log's truth");
-	app.add_option("--jobs", options.jobs,
-	               "Logs that are scored at the same time; the result is the same for any number")
-	    ->type_name("N")
-	    ->check(CLI::Range(1, 1024).description(""))
-	    ->capture_default_str();
+	addJobsOption(app, options, "Logs that are scored at the same time; the result is the same for any number");
 	app.add_option("--out", options.out,
 	               "Folder for eval.json, frames.csv, doors.csv, table.txt, index.html and pictures/; else only the "
 	               "tables are printed")
@@ -83,10 +87,36 @@ void addGalleryCommand(CLI::App& app, EvalOptions& options)
 	    ->type_name("DIR");
 }
 
+void addSoakCommand(CLI::App& app, EvalOptions& options)
+{
+	CLI::App* soak = app.add_subcommand("soak", "Explores simulated worlds again and again and tells how it went");
+	addIniOption(*soak, options);
+	soak->add_option("--world", options.worlds,
+	                 "World to explore, with @ and a start where it needs one (as [simulator] start): repeatable")
+	    ->required()
+	    ->type_name("FILE[@START]")
+	    ->allow_extra_args(false);
+	addOverrideOptions(*soak, options, "ground or mav; where the ini says the other, with that one's default size");
+	soak->add_option("--runs", options.runs, "Runs in each world, with seeds from --seed (else 1) on")
+	    ->type_name("N")
+	    ->check(CLI::Range(1, 1000000).description(""))
+	    ->capture_default_str();
+	soak->add_option("--minutes", options.minutes, "No run begins later than that")
+	    ->type_name("M")
+	    ->check(CLI::PositiveNumber.description(""));
+	addJobsOption(*soak, options, "Runs at the same time; the result is the same for any number");
+	soak->add_option("--out", options.out, "Folder for soak.csv, soak.txt and WORLD/SEED/ with the files of each run")
+	    ->required()
+	    ->type_name("DIR");
+	soak->add_flag("--keep-frames", options.keep_frames, "Keeps frames.jsonl and timing.csv of each run");
+	soak->add_flag("--quiet", options.quiet, "No progress");
+}
+
 EvalCommand commandOf(const CLI::App& app)
 {
 	if (app.got_subcommand("merge")) return EvalCommand::merge;
 	if (app.got_subcommand("compare")) return EvalCommand::compare;
+	if (app.got_subcommand("soak")) return EvalCommand::soak;
 	return app.got_subcommand("gallery") ? EvalCommand::gallery : EvalCommand::score;
 }
 
@@ -110,11 +140,12 @@ ParsedEvalOptions parseEvalOptions(int argc, const char* const* argv)
 	const CLI::App* merge = addMergeCommand(app, parsed.options, require);
 	addCompareCommand(app, parsed.options, cost);
 	addGalleryCommand(app, parsed.options);
+	addSoakCommand(app, parsed.options);
 	app.footer(
 	    "Frames are judged one by one: memory.enabled is false, whatever the ini says, unless --set names it.\n"
 	    "Exit codes: 0 done, 1 a requirement was missed or a cost exceeded (or internal error), 2 usage or "
 	    "configuration,\n"
-	    "3 a log or part unreadable or damaged, 5 output cannot be written.");
+	    "3 a log or part unreadable or damaged or a soak's run failed, 5 output cannot be written.");
 	parsed.exit_code = parseArguments(app, argc, argv);
 	if (parsed.exit_code) return parsed;
 	if (score_require->count() > 0 || (merge->parsed() && merge->get_option("--require")->count() > 0))

@@ -17,6 +17,7 @@ enum class EvalCommand
 	merge,
 	compare,
 	gallery,
+	soak,
 };
 
 struct EvalOptions : ConfigChoices
@@ -27,6 +28,10 @@ struct EvalOptions : ConfigChoices
 	std::string base;                 ///< to compare: folder of a run
 	std::vector<std::string> others;  ///< with it: folders of runs
 	std::vector<evaluation::CostLimit> costs;
+	std::vector<std::string> worlds;  ///< to explore: "FILE" or "FILE@START"
+	int runs = 10;                    ///< of each world
+	double minutes = 0;               ///< no run begins later; 0 = all run
+	bool keep_frames = false;         ///< frames.jsonl and timing.csv of every run
 	int jobs = 1;
 	std::string out;  ///< empty = nothing is written
 	std::vector<evaluation::Requirement> requirements;

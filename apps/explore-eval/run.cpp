@@ -7,6 +7,7 @@
 #include <explore-eval/process_pool.h>
 #include <explore-eval/run.h>
 #include <explore-eval/score_log.h>
+#include <explore-eval/soak_command.h>
 #include <explore/evaluation/results_text.h>
 #include <explore/sinks/output_file.h>
 
@@ -138,6 +139,8 @@ int runEval(const EvalOptions& options)
 			return compareEvaluations(options);
 		case EvalCommand::gallery:
 			return makeGallery(options);
+		case EvalCommand::soak:
+			return soak(options);
 	}
 	return kInternalError;
 }

@@ -8,6 +8,7 @@
 #include <explore-mrpt/pace.h>
 #include <explore-mrpt/run.h>
 #include <explore-mrpt/run_outputs.h>
+#include <explore-mrpt/run_truth.h>
 #include <explore/core/errors.h>
 
 namespace explore::app
@@ -25,6 +26,7 @@ struct Run
 	ConsoleLogger& logger;
 	DepthCheck depth_check;
 	Pace pace;
+	RunTruth truth;
 	TimingRecord timing;
 	RunTally tally;
 };
@@ -40,6 +42,7 @@ std::string reasonOfEnd(const Run& run)
 void handOver(Run& run, const DepthFrame& frame, const StepResult& result)
 {
 	run.outputs.write(frame, result);
+	run.truth.add(frame, result);
 	if (run.robot == nullptr) return;
 	run.outputs.writeTruth(frame.timestamp, run.robot->trueState().map_from_robot);
 	run.robot->obey(result.decision.command);
@@ -68,7 +71,10 @@ std::optional<std::string> exploreOneFrame(Run& run, ExplorerState& state)
 
 Progress progressOf(const Run& run)
 {
-	return {run.tally.frames, run.source.progress(), run.tally.doors_in_view};
+	const GoalKind goal = run.tally.goal;
+	Progress progress{run.tally.frames, run.source.progress(), run.tally.doors_in_view, {}, {}};
+	if (goal != GoalKind::none) progress.goal = nameOf(goal);
+	return progress;
 }
 
 /** Frame after frame; returns why it ended. */
@@ -101,7 +107,8 @@ RunSummary summaryOf(const Run& run, const std::string& reason)
 	        run.logger.warnings(),
 	        reason,
 	        run.timing.statistics(),
-	        peakResidentMegabytes()};
+	        peakResidentMegabytes(),
+	        run.truth.summary(nullptr)};
 }
 
 /** Explores and writes the summary, also when it ends in an error, which is passed on. */
@@ -188,9 +195,17 @@ int run(const Options& options)
 	ConsoleLogger logger(options);
 	const Input input = openInput(loaded, options, logger);
 	RunOutputs outputs(options, loaded.config);
-	Run run{
-	    options, loaded.config, *input.source, input.robot, outputs, logger, DepthCheck(loaded.config.explorer), {}, {},
-	    {}};
+	Run run{options,
+	        loaded.config,
+	        *input.source,
+	        input.robot,
+	        outputs,
+	        logger,
+	        DepthCheck(loaded.config.explorer),
+	        {},
+	        RunTruth(input.robot),
+	        {},
+	        {}};
 	const RunSummary summary = exploreAndSum(run);
 	const bool wants_summary = !options.quiet && !options.toStandardOutput();
 	if (wants_summary) print(summaryText(summary) + "  results in " + options.out + "\n");

@@ -26,7 +26,7 @@ void expectPose(const mrpt::poses::CPose3D& pose, double x, double y, double z, 
 {
 	EXPECT_NEAR(pose.x(), x, 1e-12);
 	EXPECT_NEAR(pose.y(), y, 1e-12);
-	EXPECT_NEAR(pose.z(), z, 1e-12);
+	EXPECT_NEAR(pose.z(), z, 1e-6);
 	EXPECT_NEAR(pose.yaw(), yaw_rad, 1e-12);
 }
 }  // namespace
@@ -43,6 +43,17 @@ TEST(StartPose, ByNameOrByNumbers)
 	expectPose(startPose(withSpawns(), "lobby", {}), 3.0, 4.0, 0.0, -1.0);
 	expectPose(startPose(withSpawns(), "-1.5 1.2 90", {}), -1.5, 1.2, 0.0, M_PI / 2);
 	expectPose(startPose(withSpawns(), "1 2 0.1 -90", {}), 1.0, 2.0, 0.1, -M_PI / 2);
+}
+
+TEST(StartPose, WithoutAHeightItIsOnTheFloorThere)
+{
+	World world;
+	addBox(world, {{-5, -5, -0.1}, {5, 5, 0.07}}, "floor");
+	addBox(world, {{1, 1, 0.6}, {3, 3, 0.7}}, "table");
+	expectPose(startPose(world, "2 2 0", {}), 2.0, 2.0, 0.07F, 0.0);
+	expectPose(startPose(world, "", {}), 0.0, 0.0, 0.07F, 0.0);
+	expectPose(startPose(world, "2 2 0.1 0", {}), 2.0, 2.0, 0.1, 0.0);
+	expectPose(startPose(world, "2 2 0", mav()), 2.0, 2.0, 0.07F + 1.25, 0.0);
 }
 
 TEST(StartPose, AMavStartsInItsBand)

@@ -28,6 +28,12 @@ TEST(ProgressText, UnknownShareIsLeftOut)
 	EXPECT_EQ(progressText({1, 0.0, 0}, 0.0, 0.0), "frame 1  0 %  doors 0");
 }
 
+TEST(ProgressText, GoalAndCoverageWhereTheyAreKnown)
+{
+	EXPECT_EQ(progressText({7, std::nullopt, 1, "frontier", 0.425}, 0.0, 1.0),
+	          "frame 7  doors 1  goal frontier  coverage 42 %");
+}
+
 TEST(ProgressText, ShareBeyondTheEndIsTheEnd)
 {
 	EXPECT_EQ(progressText({9, 1.5, 0}, 10.0, 30.0), "frame 9  100 %  10 Hz  doors 0  left 0:00");

@@ -77,4 +77,16 @@ bool PlanTriangle::covers(const Eigen::Vector2d& place) const
 	}
 	return left || right;
 }
+
+std::optional<double> surfaceBelow(const World& world, const Eigen::Vector3d& place_in_map)
+{
+	std::optional<double> highest_m;
+	const auto look = [&](const Triangle& triangle)
+	{
+		const auto at = PlanTriangle(triangle).within(place_in_map.head<2>(), 0.0);
+		if (at && at->high_m < place_in_map.z() && at->high_m > highest_m.value_or(-HUGE_VAL)) highest_m = at->high_m;
+	};
+	forEachTriangle(world, look);
+	return highest_m;
+}
 }  // namespace explore::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <explore/simulation/triangle_distance.h>
+#include <explore/simulation/world.h>
 
 #include <Eigen/Core>
 #include <array>
@@ -41,4 +42,19 @@ private:
 	Eigen::Vector2d m_slope;     ///< of its plane, where it has one: z grows by that along x and y
 	Eigen::Vector2d m_steepest;  ///< unit vector up the slope; zero where it is level
 };
+
+/** Each triangle of what stands still, as it is; those with a corner that is not finite are left out. */
+template <class Visit>
+void forEachTriangle(const World& world, const Visit& visit)
+{
+	for (const auto& corners : world.mesh.triangles)
+	{
+		Triangle triangle;
+		for (std::size_t i = 0; i < 3; ++i) triangle[i] = world.mesh.vertices[corners[i]].cast<double>();
+		if (triangle[0].allFinite() && triangle[1].allFinite() && triangle[2].allFinite()) visit(triangle);
+	}
+}
+
+/** Height of the highest surface that stands still below a place; no value where there is none. */
+std::optional<double> surfaceBelow(const World& world, const Eigen::Vector3d& place_in_map);
 }  // namespace explore::simulation

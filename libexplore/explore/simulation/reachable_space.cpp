@@ -15,32 +15,6 @@ namespace
 {
 constexpr double kSpare_m = 0.05, kBumps_m = 0.10, kFloorStep_m = 0.05;
 
-/** Each triangle of the world that stands still. */
-template <class Visit>
-void forEachTriangle(const World& world, const Visit& visit)
-{
-	for (const auto& corners : world.mesh.triangles)
-	{
-		Triangle triangle;
-		for (std::size_t i = 0; i < 3; ++i) triangle[i] = world.mesh.vertices[corners[i]].cast<double>();
-		if (triangle[0].allFinite() && triangle[1].allFinite() && triangle[2].allFinite()) visit(triangle);
-	}
-}
-
-/** Height of the highest surface below a place. */
-std::optional<double> surfaceBelow(const World& world, const Eigen::Vector3d& place)
-{
-	std::optional<double> highest;
-	forEachTriangle(world,
-	                [&](const Triangle& triangle)
-	                {
-		                const auto at = PlanTriangle(triangle).within(place.head<2>(), 0.0);
-		                if (at && at->high_m < place.z() && at->high_m > highest.value_or(-HUGE_VAL))
-			                highest = at->high_m;
-	                });
-	return highest;
-}
-
 /** The space while it is being found: which cells have no room or floor, then which of the others are connected. */
 class Search
 {

@@ -1,5 +1,6 @@
 #include <explore/config/number_text.h>
 #include <explore/core/errors.h>
+#include <explore/simulation/plan_triangle.h>
 #include <explore/simulation/start_pose.h>
 
 #include <algorithm>
@@ -22,8 +23,15 @@ Place placeOf(const Spawn& spawn)
 	return {spawn.position_in_map, spawn.yaw_rad};
 }
 
+/** On the floor there: what is highest up to knee height. */
+Place onFloor(const World& world, double x, double y)
+{
+	constexpr double kKnee_m = 0.25;
+	return {{x, y, surfaceBelow(world, {x, y, kKnee_m}).value_or(0.0)}, 0.0};
+}
+
 /** "x y yaw" or "x y z yaw"; no value for anything else. */
-std::optional<Place> placeIn(const std::string& text)
+std::optional<Place> placeIn(const World& world, const std::string& text)
 {
 	std::istringstream words(text);
 	std::vector<double> numbers;
@@ -34,13 +42,15 @@ std::optional<Place> placeIn(const std::string& text)
 		numbers.push_back(*number);
 	}
 	if (numbers.size() != 3 && numbers.size() != 4) return std::nullopt;
-	const double z_m = numbers.size() == 4 ? numbers[2] : 0.0;
-	return Place{{numbers[0], numbers[1], z_m}, numbers.back() * std::numbers::pi / 180.0};
+	Place place = onFloor(world, numbers[0], numbers[1]);
+	if (numbers.size() == 4) place.position_in_map.z() = numbers[2];
+	place.yaw_rad = numbers.back() * std::numbers::pi / 180.0;
+	return place;
 }
 
 Place firstThatSuits(const World& world, const RobotConfig& robot)
 {
-	if (world.spawns.empty()) return {};
+	if (world.spawns.empty()) return onFloor(world, 0.0, 0.0);
 	const auto suits = [&robot](const Spawn& spawn)
 	{ return (robot.kind == RobotKind::mav) == (spawn.position_in_map.z() >= robot.min_altitude_m); };
 	const auto found = std::find_if(world.spawns.begin(), world.spawns.end(), suits);
@@ -65,7 +75,7 @@ mrpt::poses::CPose3D startPose(const World& world, const std::string& start, con
 	Place place;
 	if (start.empty())
 		place = firstThatSuits(world, robot);
-	else if (const auto given = placeIn(start))
+	else if (const auto given = placeIn(world, start))
 		place = *given;
 	else
 		place = named(world, start);

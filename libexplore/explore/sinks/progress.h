@@ -14,10 +14,12 @@ struct Progress
 	std::size_t frames = 0;
 	std::optional<double> share;  ///< of the input, 0–1
 	std::size_t doors_in_view = 0;
+	std::string_view goal = {};                     ///< kind of the present one; empty = none
+	std::optional<double> coverage = std::nullopt;  ///< of what is reachable, 0–1, where it is known
 };
 
-/** "frame 120  30 %  85 Hz  doors 1  left 0:12"; `rate_hz` is the present speed, `elapsed_s` the time since the start.
- *  What is not known is left out. */
+/** "frame 120  30 %  85 Hz  doors 1  goal door  coverage 42 %  left 0:12"; `rate_hz` is the present speed, `elapsed_s`
+ * the time since the start. What is not known is left out. */
 std::string progressText(const Progress& progress, double rate_hz, double elapsed_s);
 
 /** Status lines and log lines that share one stream without tearing each other apart. */

@@ -34,6 +34,14 @@ Json explorationJson(const RunSummary& summary)
 	        {"left_over", Json::array()}};
 }
 
+Json truthJson(const TruthSummary& truth)
+{
+	return {{"collisions", truth.collisions},        {"min_clearance_m", jsonOrNull(truth.min_clearance_m)},
+	        {"path_m", jsonNumber(truth.path_m)},    {"from_start_m", jsonNumber(truth.from_start_m)},
+	        {"goal_flips", truth.goal_flips},        {"reachable_m2", jsonNumber(truth.reachable_m2)},
+	        {"coverage", jsonOrNull(truth.coverage)}};
+}
+
 Json timingJson(const std::map<std::string, StageStatistics>& timing)
 {
 	Json result = Json::object();
@@ -47,6 +55,16 @@ std::string pathText(const RunTally& tally)
 	const double time_s = tally.time_s().value_or(0.0);
 	if (!tally.path_m()) return mrpt::format("%.1f s, no pose in the input", time_s);
 	return mrpt::format("%.1f m in %.1f s", *tally.path_m(), time_s);
+}
+
+std::string truthText(const TruthSummary& truth)
+{
+	std::string text = mrpt::format("  truth: %zu collisions, %zu goal flips, %.1f m driven, %.2f m from the start",
+	                                truth.collisions, truth.goal_flips, truth.path_m, truth.from_start_m);
+	if (truth.min_clearance_m) text += mrpt::format(", nearest to anything %.2f m", *truth.min_clearance_m);
+	if (truth.coverage)
+		text += mrpt::format("\n  coverage %.1f %% of %.1f m2", 100.0 * *truth.coverage, truth.reachable_m2);
+	return text + '\n';
 }
 
 std::string lossText(const InputSummary& input)
@@ -67,6 +85,7 @@ void RunTally::add(const DepthFrame& frame, const StepResult& result)
 	if (!result.percepts.doors.empty()) ++frames_with_door;
 	if (result.decision.stop) ++frames_stopped;
 	doors_in_view = result.percepts.doors.size();
+	goal = result.decision.goal.kind;
 
 	if (!m_first) m_first = frame.timestamp;
 	m_last = frame.timestamp;
@@ -89,7 +108,7 @@ std::optional<double> RunTally::time_s() const
 std::string summaryJson(const RunSummary& summary)
 {
 	const RunTally& tally = summary.tally;
-	const Json document{
+	Json document{
 	    {"schema", kSchema},
 	    {"version", summary.version},
 	    {"config", jsonOrNull(summary.config)},
@@ -104,6 +123,7 @@ std::string summaryJson(const RunSummary& summary)
 	    {"timing_ms", timingJson(summary.timing)},
 	    {"peak_rss_mb", jsonNumber(summary.peak_rss_mb)},
 	};
+	if (summary.truth) document["truth"] = truthJson(*summary.truth);
 	return jsonText(document, 2) + '\n';
 }
 
@@ -117,6 +137,7 @@ std::string summaryText(const RunSummary& summary)
 	if (const auto total = summary.timing.find(std::string(kTotalStage)); total != summary.timing.end())
 		text += mrpt::format("  %.1f ms a frame (median; p99 %.1f), %.0f MB\n", total->second.median_ms,
 		                     total->second.p99_ms, summary.peak_rss_mb);
+	if (summary.truth) text += truthText(*summary.truth);
 	return text + lossText(summary.input);
 }
 }  // namespace explore

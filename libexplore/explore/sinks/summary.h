@@ -23,7 +23,8 @@ public:
 	std::size_t frames_with_ground = 0;  ///< the floor was seen, not carried on
 	std::size_t frames_with_door = 0;
 	std::size_t frames_stopped = 0;
-	std::size_t doors_in_view = 0;  ///< in the last frame
+	std::size_t doors_in_view = 0;   ///< in the last frame
+	GoalKind goal = GoalKind::none;  ///< of the last frame
 
 	/** Length of the driven path; no value without a pose source. */
 	[[nodiscard]] std::optional<double> path_m() const { return m_path_m; }
@@ -50,6 +51,18 @@ struct InputSummary
 	bool identity_mount = false;
 };
 
+/** What a simulated run was really like (doc/definitions.md, "Exploration"). */
+struct TruthSummary
+{
+	std::size_t collisions = 0;
+	std::optional<double> min_clearance_m;  ///< of the moving body; no value where it never moved
+	double path_m = 0;                      ///< that the robot really went
+	double from_start_m = 0;                ///< straight, from its first place to its last
+	std::size_t goal_flips = 0;
+	double reachable_m2 = 0;
+	std::optional<double> coverage;  ///< of the reachable; no value without a map
+};
+
 struct RunSummary
 {
 	std::string version;
@@ -60,6 +73,7 @@ struct RunSummary
 	std::string reason;                 ///< why the run ended
 	std::map<std::string, StageStatistics> timing;
 	double peak_rss_mb = 0;
+	std::optional<TruthSummary> truth;  ///< no value: a recording, whose truth nobody knows
 };
 
 /** The document, indented, ended by a newline; fields in doc/output-format.md. */

@@ -1,0 +1,36 @@
+#include <explore-mrpt/run_truth.h>
+#include <explore/core/geometry.h>
+#include <explore/evaluation/coverage.h>
+
+namespace explore::app
+{
+void RunTruth::add(const DepthFrame& frame, const StepResult& result)
+{
+	if (m_robot == nullptr) return;
+	const TrueState state = m_robot->trueState();
+	const Goal& goal = result.decision.goal;
+	evaluation::WatchedFrame watched;
+	watched.t_s = state.t_s;
+	watched.map_from_robot = state.map_from_robot;
+	watched.goal = goal.kind;
+	// Goals stand in the explorer's map: its own pose takes them there.
+	if (goal.point_in_robot) watched.goal_in_map = isometryOf(frame.map_from_robot) * *goal.point_in_robot;
+	m_watch.add(watched);
+}
+
+std::optional<TruthSummary> RunTruth::summary(const octomap::OcTree* map) const
+{
+	if (m_robot == nullptr) return std::nullopt;
+	const TrueState state = m_robot->trueState();
+	TruthSummary truth;
+	truth.collisions = state.collisions;
+	truth.min_clearance_m = state.min_clearance_m;
+	truth.path_m = m_watch.path_m();
+	truth.from_start_m = m_watch.from_start_m();
+	truth.goal_flips = m_watch.flips();
+	const TruthReach reach = m_robot->reachable();
+	truth.reachable_m2 = reach.area_m2();
+	if (map != nullptr) truth.coverage = evaluation::coverageOf(reach, *map).share();
+	return truth;
+}
+}  // namespace explore::app

@@ -1,0 +1,32 @@
+// What a simulated run really was like, beside what its explorer made of it.
+#pragma once
+
+#include <common/closed_loop_source.h>
+#include <explore/evaluation/run_watch.h>
+#include <explore/pipeline/explorer.h>
+#include <explore/sinks/summary.h>
+
+namespace octomap
+{
+class OcTree;
+}
+
+namespace explore::app
+{
+/** Of a recording, whose truth nobody knows, it says nothing. */
+class RunTruth
+{
+public:
+	/** `robot` outlives it; null for a recording. */
+	explicit RunTruth(const ClosedLoopSource* robot) : m_robot(robot) {}
+
+	/** `frame` is the last one that the robot took. */
+	void add(const DepthFrame& frame, const StepResult& result);
+	/** Of the frames so far. Coverage is that of `map`, where there is one. */
+	[[nodiscard]] std::optional<TruthSummary> summary(const octomap::OcTree* map) const;
+
+private:
+	const ClosedLoopSource* m_robot;
+	evaluation::RunWatch m_watch;
+};
+}  // namespace explore::app
