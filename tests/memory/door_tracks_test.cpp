@@ -257,24 +257,24 @@ TEST(DoorTracks, TheMapObjectsToAMirror)
 TEST(DoorTracks, AnOpeningInAWallWithoutThicknessIsAMirrorUntilTheRobotWentThrough)
 {
 	Scout scout;
-	const auto look_with = [&](double thickness_m)
+	const auto look_with = [&](const RevealRows& rows)
 	{
 		++scout.step;
 		scout.t_s += 0.5;
 		const std::vector<Door> reports{reportOf(kDoor, scout.where())};
 		DoorLook look = lookAt(reports, scout.where(), scout.t_s);
-		look.reveal = [thickness_m](const DoorPlace&) { return RevealRows{10, 10 * thickness_m}; };
+		look.reveal = [rows](const DoorPlace&) { return rows; };
 		update(scout.tracks, look, kRobot, kConfig);
 	};
-	for (int i = 0; i < 5; ++i) look_with(0.005);
+	for (int i = 0; i < 5; ++i) look_with({.flat = 10, .thick = 1});
 	ASSERT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
 	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::unknown);
 	scout.tracks.tracks[0].visited = true;
-	look_with(0.005);
+	look_with({.flat = 10, .thick = 1});
 	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::open);
 
 	scout = {};
-	for (int i = 0; i < 5; ++i) look_with(0.1);
+	for (int i = 0; i < 5; ++i) look_with({.flat = 5, .thick = 5});
 	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
 }
 

@@ -124,8 +124,8 @@ std::vector<int> numberSightings(DoorTracks& tracks, const std::vector<DoorSight
 
 bool isFlat(const DoorTrack& track, const DoorTrackConfig& config)
 {
-	return !track.visited && config.flat_depth_m > 0 && track.reveal.rows >= config.flat_rows &&
-	       track.reveal.meanDepth_m() < config.flat_depth_m;
+	return !track.visited && config.flat_share > 0 && track.reveal.flat >= config.flat_rows &&
+	       track.reveal.flatShare() >= config.flat_share;
 }
 
 std::optional<Verdict> objectionTo(const DoorTrack& track, const DoorLook& look, const RobotConfig& robot,
@@ -146,7 +146,8 @@ void objectToTracks(DoorTracks& tracks, const DoorLook& look, const Now& now, co
 	{
 		if (track.existence.last_look.t_s != now.from.t_s) continue;
 		if (look.reveal) track.reveal += look.reveal(track.place);
-		if (track.reveal.rows > kFullMemory) track.reveal = {track.reveal.rows / 2, track.reveal.depth_m / 2};
+		if (track.reveal.flat + track.reveal.thick > kFullMemory)
+			track.reveal = {track.reveal.flat / 2, track.reveal.thick / 2};
 		track.objection = objectionTo(track, look, robot, config);
 	}
 }
@@ -166,9 +167,9 @@ void describe(FieldVisitor& fields, DoorTrackConfig& config)
 	fields.real("through_doubt", config.through_doubt, {0.0, 1.0}, "",
 	            "How much less a missing report tells where rays go through the opening.");
 	fields.integer("flat_rows", config.flat_rows, {1, 1000}, "",
-	               "Rows of pixels in which the wall's face inside an opening was looked for before it is missed.");
-	fields.real("flat_depth", config.flat_depth_m, {0.0, 0.2}, "m",
-	            "An opening in a wall that is thinner than this is a mirror, until the robot went through; 0 = never.");
+	               "Rows of pixels in which the wall beside an opening has no inner face, for a mirror ...");
+	fields.real("flat_share", config.flat_share, {0.0, 1.0}, "",
+	            "... and their share of all rows that tell, until the robot went through; 0 = no mirrors.");
 	fields.real("forget_time", config.forget_s, {0.1, 1e6}, "s",
 	            "An unconfirmed track without a report is forgotten after this time ...");
 	fields.real("forget_way", config.forget_m, {0.1, 1e6}, "m", "... or this much way.");
