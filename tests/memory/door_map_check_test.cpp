@@ -43,6 +43,22 @@ std::optional<Verdict> objection(const std::vector<Box>& boxes, const Box& seen 
 	return objectionTo(kPlace, 0.95, mapOf(boxes, seen), {}, {});
 }
 
+RobotConfig mav()
+{
+	RobotConfig robot;
+	robot.kind = RobotKind::mav;
+	robot.radius_m = 0.30;
+	robot.height_m = 0.25;
+	return robot;
+}
+
+/** Occupied between these heights, all over. */
+OccupancyQuery slab(double from_m, double to_m)
+{
+	return [=](const Eigen::Vector3d& point)
+	{ return point.z() >= from_m && point.z() <= to_m ? VoxelState::occupied : VoxelState::free; };
+}
+
 TEST(DoorMapCheck, AnOpenDoorwayIsNoReasonToObject)
 {
 	EXPECT_FALSE(objection({kLeftWall, kRightWall}));
@@ -57,6 +73,23 @@ TEST(DoorMapCheck, WhatWasNeverSeenIsNoReasonEither)
 TEST(DoorMapCheck, TheBackOfAWallSeenFromElsewhereBlocksIt)
 {
 	EXPECT_EQ(objection({kLeftWall, kRightWall, {0.1, 0.2, -4, 4}}), Verdict::blocked);
+}
+
+TEST(DoorMapCheck, ANicheInWhichTheRobotDoesNotFitIsBlocked)
+{
+	const auto niche = [](double deep_m) {
+		return std::vector<Box>{kLeftWall, kRightWall, {deep_m, deep_m + 0.1, -4, 4}};
+	};
+	EXPECT_EQ(objection(niche(0.4)), Verdict::blocked);
+	EXPECT_FALSE(objection(niche(0.55))) << "0.44 m is all that this robot takes";
+	EXPECT_EQ(objectionTo(kPlace, 0.95, mapOf(niche(0.55), kSeen), mav(), {}), Verdict::blocked);
+}
+
+TEST(DoorMapCheck, AHighThresholdStopsARobotOnTheGroundOnly)
+{
+	EXPECT_EQ(objectionTo(kPlace, 0.95, slab(0, 0.15), {}, {}), Verdict::blocked);
+	EXPECT_FALSE(objectionTo(kPlace, 0.95, slab(0, 0.05), {}, {}));
+	EXPECT_FALSE(objectionTo(kPlace, 0.95, slab(0, 0.15), mav(), {}));
 }
 
 TEST(DoorMapCheck, WhatLeavesRoomEnoughDoesNot)
@@ -76,22 +109,6 @@ TEST(DoorMapCheck, WhatIsHigherThanTheRobotIsNotInItsWay)
 	RobotConfig tall;
 	tall.height_m = 1.2;
 	EXPECT_EQ(mappedClearWidth(kPlace, high, tall, {}), 0.0);
-}
-
-RobotConfig mav()
-{
-	RobotConfig robot;
-	robot.kind = RobotKind::mav;
-	robot.radius_m = 0.30;
-	robot.height_m = 0.25;
-	return robot;
-}
-
-/** Occupied between these heights, all over. */
-OccupancyQuery slab(double from_m, double to_m)
-{
-	return [=](const Eigen::Vector3d& point)
-	{ return point.z() >= from_m && point.z() <= to_m ? VoxelState::occupied : VoxelState::free; };
 }
 
 TEST(DoorMapCheck, ARobotThatFliesFindsTheAltitudeAtWhichItFits)

@@ -43,12 +43,20 @@ double weightOf(const DoorTrack& track, const Now& now, const DoorTrackConfig& c
 	return novelty(track.existence.last_look, now.from, config.existence.same_place_weight);
 }
 
+/** Where most looks have the floor behind out of view, those that saw it count. */
+void addFloor(DoorTrack& track, const DoorSighting& sighting, double weight)
+{
+	if (!sighting.floor_beyond) return;
+	(*sighting.floor_beyond ? track.floor_seen : track.floor_missing) += weight * sighting.quality;
+}
+
 void addReport(DoorTrack& track, const DoorSighting& sighting, const Now& now, const DoorTrackConfig& config)
 {
 	const double weight = weightOf(track, now, config);
 	// Errors of looks from one place are shared: such a look is worth less than one from elsewhere.
 	fuse(track, lessSure(sighting, weight), now.travelled_m, config.fusion);
 	addOpinion(track.belief, opinionOf(sighting, weight), config.fading);
+	addFloor(track, sighting, weight);
 	addLook(track.existence, {now.from, true, thereByReport(sighting)}, config.existence);
 }
 
@@ -76,6 +84,7 @@ DoorTrack newTrack(int number, const DoorSighting& sighting, const Now& now, con
 	track.width_variance = sighting.width_variance;
 	track.fused_at_m = now.travelled_m;
 	addOpinion(track.belief, opinionOf(sighting, 1), config.fading);
+	addFloor(track, sighting, 1);
 	addLook(track.existence, {now.from, true, thereByReport(sighting)}, config.existence);
 	return track;
 }
@@ -132,6 +141,7 @@ std::optional<Verdict> objectionTo(const DoorTrack& track, const DoorLook& look,
                                    const DoorTrackConfig& config)
 {
 	if (!isPassable(verdictOf(track.belief))) return std::nullopt;
+	if (!track.visited && track.floor_missing > track.floor_seen) return Verdict::drop;
 	if (isFlat(track, config)) return Verdict::unknown;
 	if (!look.occupancy) return std::nullopt;
 	return objectionTo(track.place, clearWidthOf(track.belief), look.occupancy, robot, config.map_check);

@@ -22,8 +22,8 @@ struct DoorTrackConfig
 	double through_doubt = 0.5;       ///< how much less a miss tells where rays go through the opening
 	/** An opening is a mirror when the wall beside it had no inner face in so many rows of pixels, and in so many of
 	 *  those that tell. */
-	int flat_rows = 12;
-	double flat_share = 0.7;
+	int flat_rows = 8;
+	double flat_share = 0.6;
 	double forget_s = 60, forget_m = 5;  ///< an unconfirmed track is kept for so long, or so much way, without a report
 	int max_tracks = 500;                ///< beyond, the least sure are forgotten
 };
