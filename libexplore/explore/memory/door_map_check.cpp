@@ -9,8 +9,8 @@ namespace explore
 {
 namespace
 {
-constexpr double kInFront_m = 0.3;  // of the wall's middle: from here on nothing may be in the way
-constexpr double kLowest_m = 0.1;   // above low thresholds and the floor's own voxels
+constexpr double kPassage_m = 0.3;  // in front of the wall's middle and behind it
+constexpr double kLowest_m = 0.15;  // above thresholds and the floor's own voxels
 constexpr double kShift_m = 0.3;    // of a mirror that is not one
 constexpr std::array<double, 5> kMirrorHeights_m{0.3, 0.6, 0.9, 1.2, 1.5};
 constexpr double kMirrorBeside_m = 0.5;  // beyond the jambs: what a mirror shows at an angle
@@ -19,12 +19,6 @@ constexpr double kMirrorBeside_m = 0.5;  // beyond the jambs: what a mirror show
 struct BodyRoom
 {
 	double lowest_m = 0, highest_m = 0, body_m = 0;
-};
-
-/** How far behind the wall's middle the way must be free, and how densely it is asked for. */
-struct Passage
-{
-	double behind_m = 0, step_m = 0;
 };
 
 /** A robot on the ground takes all of its room, one that flies finds its own height in the band that it flies in, and
@@ -37,12 +31,11 @@ BodyRoom roomOf(const DoorPlace& place, const RobotConfig& robot)
 	        std::min(robot.max_altitude_m + half_m, place.height_m.value_or(kUsualDoorHeight_m)), robot.height_m};
 }
 
-/** Whether nothing occupied is at that place of the opening, from before the wall to as far behind it as the robot is
- *  long. */
+/** Whether nothing occupied is at that place of the opening, from before the wall to behind it. */
 bool isFreeAcross(const Eigen::Vector3d& point_in_map, const Eigen::Vector2d& normal, const OccupancyQuery& occupancy,
-                  const Passage& passage)
+                  double step_m)
 {
-	for (double across_m = -passage.behind_m; across_m <= kInFront_m; across_m += passage.step_m)
+	for (double across_m = -kPassage_m; across_m <= kPassage_m; across_m += step_m)
 	{
 		Eigen::Vector3d point = point_in_map;
 		point.head<2>() += across_m * normal;
@@ -115,7 +108,6 @@ double mappedClearWidth(const DoorPlace& place, const OccupancyQuery& occupancy,
 	if (columns == 0) return place.width_m;
 	const double column_m = place.width_m / static_cast<double>(columns);
 	const BodyRoom room = roomOf(place, robot);
-	const Passage passage{2 * robot.radius_m, config.step_m};
 	if (room.highest_m - room.lowest_m < room.body_m) return 0;
 	std::vector<std::vector<bool>> free_at_level;
 	for (double height_m = room.lowest_m; height_m < room.highest_m; height_m += config.step_m)
@@ -124,7 +116,7 @@ double mappedClearWidth(const DoorPlace& place, const OccupancyQuery& occupancy,
 		for (std::size_t column = 0; column < columns; ++column)
 		{
 			const double along_m = (static_cast<double>(column) + 0.5) * column_m - 0.5 * place.width_m;
-			free[column] = isFreeAcross(place.point(along_m, height_m), place.normal(), occupancy, passage);
+			free[column] = isFreeAcross(place.point(along_m, height_m), place.normal(), occupancy, config.step_m);
 		}
 	}
 	if (free_at_level.empty()) return place.width_m;
