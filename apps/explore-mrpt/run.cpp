@@ -21,7 +21,7 @@ struct Run
 	const Options& options;
 	const AppConfig& config;
 	FrameSource& source;
-	ClosedLoopSource* robot;  ///< the same, where it takes commands
+	ClosedLoopSource* robot = nullptr;  ///< the same, where it takes commands
 	RunOutputs& outputs;
 	ConsoleLogger& logger;
 	DepthCheck depth_check;

@@ -26,10 +26,10 @@ std::optional<TruthSummary> RunTruth::summary(const octomap::OcTree* map) const
 	truth.collisions = state.collisions;
 	truth.min_clearance_m = state.min_clearance_m;
 	truth.path_m = m_watch.path_m();
-	truth.from_start_m = m_watch.from_start_m();
+	truth.from_start_m = m_watch.fromStart_m();
 	truth.goal_flips = m_watch.flips();
 	const TruthReach reach = m_robot->reachable();
-	truth.reachable_m2 = reach.area_m2();
+	truth.reachable_m2 = reach.floorArea();
 	if (map != nullptr) truth.coverage = evaluation::coverageOf(reach, *map).share();
 	return truth;
 }
