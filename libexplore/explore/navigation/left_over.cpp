@@ -23,7 +23,8 @@ std::vector<CellIndex> unknownBeside(const PlanMap& map, const FrontierCluster& 
 		for (const auto& [dx, dy] : kBeside)
 		{
 			const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0);
-			if (map.contains(next) && map.cells[map.cellAt(next)] == CellState::unknown) cells.push_back(map.cellAt(next));
+			if (map.contains(next) && map.cells[map.cellAt(next)] == CellState::unknown)
+				cells.push_back(map.cellAt(next));
 		}
 	}
 	std::sort(cells.begin(), cells.end());
@@ -58,17 +59,19 @@ bool isNearDrop(const PlanMap& map, CellIndex cell)
 	return false;
 }
 
-LeftOverReason reasonOf(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
-                        const AllowedArea& area, const FrontierCluster& cluster, CellIndex unknown)
+/** No value: it was not yet looked at. */
+std::optional<LeftOverReason> reasonOf(const LeftOverInput& input, const FrontierCluster& cluster, CellIndex unknown)
 {
+	const PlanMap& map = input.map;
 	const Eigen::Vector2d at = map.middleOf(unknown).head<2>();
-	if (!area.inBounds(at)) return LeftOverReason::outside_bounds;
-	if (area.isKeptOut(at)) return LeftOverReason::kept_out;
+	if (!input.area.inBounds(at)) return LeftOverReason::outside_bounds;
+	if (input.area.isKeptOut(at)) return LeftOverReason::kept_out;
 	if (isNearDrop(map, unknown)) return LeftOverReason::drop;
-	if (const auto door = reasonOfDoor(memory, at)) return *door;
-	if (map.wanted[unknown] != 0) return LeftOverReason::sealed;
-	const bool seen_across = std::none_of(cluster.cells.begin(), cluster.cells.end(),
-	                                      [&](std::size_t cell) { return field.reaches(static_cast<CellIndex>(cell)); });
+	if (const auto door = reasonOfDoor(input.memory, at)) return *door;
+	if (map.wanted[unknown] != 0) return input.looked_at_all ? std::optional(LeftOverReason::sealed) : std::nullopt;
+	const bool seen_across =
+	    std::none_of(cluster.cells.begin(), cluster.cells.end(),
+	                 [&](std::size_t cell) { return input.field.reaches(static_cast<CellIndex>(cell)); });
 	const bool roomy = map.obstacle_m[unknown] >= map.fit_m;
 	return seen_across && roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
 }
@@ -89,19 +92,19 @@ void join(std::vector<LeftOver>& all, const LeftOver& one)
 
 std::string_view nameOf(LeftOverReason reason)
 {
-	static constexpr std::array<std::string_view, 8> kNames{"sealed",       "too_narrow", "out_of_reach", "closed_door",
-	                                                        "behind_glass", "drop",       "kept_out",     "outside_bounds"};
+	static constexpr std::array<std::string_view, 8> kNames{
+	    "sealed", "too_narrow", "out_of_reach", "closed_door", "behind_glass", "drop", "kept_out", "outside_bounds"};
 	return kNames.at(static_cast<std::size_t>(reason));
 }
 
-std::vector<LeftOver> leftOver(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
-                               const AllowedArea& area)
+std::vector<LeftOver> leftOver(const LeftOverInput& input)
 {
 	std::vector<LeftOver> all;
+	const PlanMap& map = input.map;
 	const double cell_m2 = map.frame.resolution_m * map.frame.resolution_m;
-	for (const FrontierCluster& cluster : memory.frontiers.clusters())
+	for (const FrontierCluster& cluster : input.memory.frontiers.clusters())
 		for (const CellIndex cell : unknownBeside(map, cluster))
-			join(all, {map.middleOf(cell), cell_m2, reasonOf(map, memory, field, area, cluster, cell)});
+			if (const auto why = reasonOf(input, cluster, cell)) join(all, {map.middleOf(cell), cell_m2, *why});
 	return all;
 }
 }  // namespace explore
