@@ -94,6 +94,7 @@ Plan planNow(const Mission& mission, const FrontierMemory& memory, const Mission
 
 bool isReached(const MissionGoal& goal, const MissionNow& now, const PlanConfig& config)
 {
+	if (!goal.reachable) return false;
 	const double away_m = (goal.stand_in_map - placeOf(now.map_from_robot)).head<2>().norm();
 	const bool home = goal.kind == GoalKind::home;
 	const double turn_rad = std::abs(wrapToPi(goal.yaw_rad - yawOf(now.map_from_robot)));
@@ -173,6 +174,7 @@ MissionGoal goalHome(const Mission& mission, const Plan& plan, const MissionNow&
 	MissionGoal goal;
 	goal.kind = GoalKind::home;
 	goal.stand_in_map = goal.frontier_in_map = placeNearHome(mission, plan);
+	goal.reachable = plan.field.reaches(plan.home);
 	goal.yaw_rad = yawOf(*mission.map_from_home);
 	const bool on_its_way = mission.goal && mission.goal->kind == GoalKind::home;
 	goal.chosen_at_s = on_its_way ? mission.goal->chosen_at_s : now.t_s;
@@ -292,6 +294,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		if (mission.goal->kind == GoalKind::home)
 		{
 			mission.phase = MissionPhase::done;
+			mission.home_reached = reached;
 			return;
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);
