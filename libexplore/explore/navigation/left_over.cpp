@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace explore
 {
@@ -23,7 +24,8 @@ std::vector<CellIndex> unknownBeside(const PlanMap& map, const FrontierCluster& 
 		for (const auto& [dx, dy] : kBeside)
 		{
 			const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0);
-			if (map.contains(next) && map.cells[map.cellAt(next)] == CellState::unknown) cells.push_back(map.cellAt(next));
+			if (map.contains(next) && map.cells[map.cellAt(next)] == CellState::unknown)
+				cells.push_back(map.cellAt(next));
 		}
 	}
 	std::sort(cells.begin(), cells.end());
@@ -67,8 +69,9 @@ LeftOverReason reasonOf(const PlanMap& map, const FrontierMemory& memory, const 
 	if (isNearDrop(map, unknown)) return LeftOverReason::drop;
 	if (const auto door = reasonOfDoor(memory, at)) return *door;
 	if (map.wanted[unknown] != 0) return LeftOverReason::sealed;
-	const bool seen_across = std::none_of(cluster.cells.begin(), cluster.cells.end(),
-	                                      [&](std::size_t cell) { return field.reaches(static_cast<CellIndex>(cell)); });
+	const bool seen_across =
+	    std::none_of(cluster.cells.begin(), cluster.cells.end(),
+	                 [&](std::size_t cell) { return field.reaches(static_cast<CellIndex>(cell)); });
 	const bool roomy = map.obstacle_m[unknown] >= map.fit_m;
 	return seen_across && roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
 }
@@ -89,8 +92,8 @@ void join(std::vector<LeftOver>& all, const LeftOver& one)
 
 std::string_view nameOf(LeftOverReason reason)
 {
-	static constexpr std::array<std::string_view, 8> kNames{"sealed",       "too_narrow", "out_of_reach", "closed_door",
-	                                                        "behind_glass", "drop",       "kept_out",     "outside_bounds"};
+	static constexpr std::array<std::string_view, 8> kNames{
+	    "sealed", "too_narrow", "out_of_reach", "closed_door", "behind_glass", "drop", "kept_out", "outside_bounds"};
 	return kNames.at(static_cast<std::size_t>(reason));
 }
 
@@ -98,10 +101,12 @@ std::vector<LeftOver> leftOver(const PlanMap& map, const FrontierMemory& memory,
                                const AllowedArea& area)
 {
 	std::vector<LeftOver> all;
+	std::vector<std::uint8_t> counted(map.cells.size(), 0);  // neighbouring clusters share some
 	const double cell_m2 = map.frame.resolution_m * map.frame.resolution_m;
 	for (const FrontierCluster& cluster : memory.frontiers.clusters())
 		for (const CellIndex cell : unknownBeside(map, cluster))
-			join(all, {map.middleOf(cell), cell_m2, reasonOf(map, memory, field, area, cluster, cell)});
+			if (std::exchange(counted[cell], std::uint8_t{1}) == 0)
+				join(all, {map.middleOf(cell), cell_m2, reasonOf(map, memory, field, area, cluster, cell)});
 	return all;
 }
 }  // namespace explore

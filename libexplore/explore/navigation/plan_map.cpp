@@ -31,7 +31,8 @@ void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
 std::vector<float> distances(const PlanMap& map, const std::vector<std::uint8_t>& marked, double limit_m)
 {
 	const GridSize size{map.frame.columns, map.frame.rows};
-	const int limit = std::clamp(static_cast<int>(std::ceil(limit_m / map.frame.resolution_m)), 1, 127);
+	// A cell more: what is capped must not fall short of the limit by rounding.
+	const int limit = std::clamp(static_cast<int>(std::ceil(limit_m / map.frame.resolution_m)) + 1, 1, 127);
 	std::vector<float> all;
 	all.reserve(marked.size());
 	for (std::size_t first = 0; first < marked.size(); first += map.frame.cellsInLayer())
@@ -91,14 +92,13 @@ void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
 				map.blocked[map.cellAt(place)] = 1;
 }
 
-/** The cells that are joined to `start` by cells that `is` holds of, itself included. */
+/** The cells that are joined to any of `starts` by cells that `is` holds of, themselves included. */
 template <class Is>
-std::vector<std::uint8_t> joinedTo(const PlanMap& map, CellIndex start, const Is& is)
+std::vector<std::uint8_t> joinedTo(const PlanMap& map, const std::vector<CellIndex>& starts, const Is& is)
 {
 	std::vector<std::uint8_t> reached(map.cells.size(), 0);
-	if (start == kNoCell) return reached;
-	std::vector<CellIndex> open{start};
-	reached[start] = 1;
+	std::vector<CellIndex> open = starts;
+	for (const CellIndex cell : starts) reached[cell] = 1;
 	while (!open.empty())
 	{
 		const CellIndex cell = open.back();
@@ -114,13 +114,31 @@ std::vector<std::uint8_t> joinedTo(const PlanMap& map, CellIndex start, const Is
 	return reached;
 }
 
-void markWanted(PlanMap& map, CellIndex start)
+/** The robot's cell; where it stands nearer to things than it may, all that its body covers. */
+std::vector<CellIndex> startsOf(const PlanMap& map, CellIndex robot, double radius_m)
 {
-	map.wanted = joinedTo(map, start, [&](CellIndex cell)
-	                      { return map.allowed[cell] != 0 && map.obstacle_m[cell] >= map.fit_m; });
+	if (robot == kNoCell) return {};
+	std::vector<CellIndex> starts{robot};
+	if (map.obstacle_m[robot] >= map.fit_m) return starts;
+	const int reach = static_cast<int>(radius_m / map.frame.resolution_m);
+	for (int dy = -reach; dy <= reach; ++dy)
+		for (int dx = -reach; dx <= reach; ++dx)
+		{
+			const Eigen::Array3i place = map.placeOf(robot) + Eigen::Array3i(dx, dy, 0);
+			const bool other = (dx != 0 || dy != 0) && dx * dx + dy * dy <= reach * reach;
+			if (other && map.contains(place) && map.cells[map.cellAt(place)] == CellState::free)
+				starts.push_back(map.cellAt(place));
+		}
+	return starts;
+}
+
+void markWanted(PlanMap& map, CellIndex robot, double radius_m)
+{
+	map.wanted = joinedTo(map, startsOf(map, robot, radius_m),
+	                      [&](CellIndex cell) { return map.allowed[cell] != 0 && map.obstacle_m[cell] >= map.fit_m; });
 	// What is seen through a window, or by a ray of noise through a wall, is free but not joined to where the robot is.
 	const std::vector<std::uint8_t> joined =
-	    joinedTo(map, start, [&](CellIndex cell) { return map.cells[cell] == CellState::free; });
+	    joinedTo(map, startsOf(map, robot, 0.0), [&](CellIndex cell) { return map.cells[cell] == CellState::free; });
 	map.near_wanted.assign(map.cells.size(), 0);
 	for (std::size_t i = 0; i < map.cells.size(); ++i)
 	{
@@ -152,7 +170,8 @@ CellIndex PlanMap::cellOf(const Eigen::Vector3d& point_in_map) const
 {
 	const Eigen::Array2i at =
 	    ((point_in_map.head<2>() - frame.corner_in_map) / frame.resolution_m).array().floor().cast<int>();
-	const auto nearer = [&](double a, double b) { return std::abs(a - point_in_map.z()) < std::abs(b - point_in_map.z()); };
+	const auto nearer = [&](double a, double b)
+	{ return std::abs(a - point_in_map.z()) < std::abs(b - point_in_map.z()); };
 	const auto layer = std::min_element(frame.altitudes_m.begin(), frame.altitudes_m.end(), nearer);
 	const Eigen::Array3i place(at.x(), at.y(), static_cast<int>(layer - frame.altitudes_m.begin()));
 	return contains(place) ? cellAt(place) : kNoCell;
@@ -172,8 +191,7 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 	map.frame = input.layers.frame();
 	map.cells = input.layers.cells();
 	map.fit_m = robot.radius_m + config.clearance_m;
-	map.obstacle_m =
-	    distances(map, obstacles(map), std::max(config.comfort_m, map.fit_m) + map.frame.resolution_m);
+	map.obstacle_m = distances(map, obstacles(map), std::max(config.comfort_m, map.fit_m) + map.frame.resolution_m);
 	// A cell farther than from obstacles: the avoider keeps as far from what is not known as from those, and must not
 	// be led into what it would refuse.
 	const double known_m = map.fit_m + map.frame.resolution_m;
@@ -189,7 +207,7 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 	}
 	map.blocked.assign(map.cells.size(), 0);
 	for (const Eigen::Vector3d& spot : input.blocked_in_map) block(map, spot);
-	markWanted(map, map.cellOf(input.robot_in_map));
+	markWanted(map, map.cellOf(input.robot_in_map), robot.radius_m);
 	return map;
 }
 
@@ -204,7 +222,7 @@ bool straightWayIsFree(const PlanMap& map, CellIndex from, CellIndex to, double 
 		const Eigen::Array2i at =
 		    (a.head<2>().cast<double>() + way * (static_cast<double>(i) / steps) + 0.5).floor().cast<int>();
 		const CellIndex cell = map.cellAt({at.x(), at.y(), a.z()});
-		if (map.passable[cell] == 0 || map.obstacle_m[cell] < clearance_m) return false;
+		if (map.passable[cell] == 0 || map.blocked[cell] != 0 || map.obstacle_m[cell] < clearance_m) return false;
 	}
 	return true;
 }

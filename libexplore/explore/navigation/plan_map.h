@@ -54,7 +54,7 @@ struct PlanInput
 };
 PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConfig& config);
 
-/** Whether the straight way between two cells of a layer is passable, and nowhere nearer to obstacles than
- *  `clearance_m`. */
+/** Whether the straight way between two cells of a layer is passable and not blocked, and nowhere nearer to obstacles
+ *  than `clearance_m`. */
 bool straightWayIsFree(const PlanMap& map, CellIndex from, CellIndex to, double clearance_m);
 }  // namespace explore

@@ -16,7 +16,7 @@ struct TourCosts
 
 struct Tour
 {
-	std::vector<std::size_t> order;  ///< each place once
+	std::vector<std::size_t> order;  ///< each place once; empty where every order has an infinite cost
 	double cost_m = 0;
 };
 
