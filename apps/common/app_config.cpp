@@ -1,6 +1,7 @@
 #include <common/app_config.h>
 #include <common/input_paths.h>
 #include <explore/config/ini.h>
+#include <explore/navigation/keep_out.h>
 
 namespace explore::app
 {
@@ -65,6 +66,7 @@ LoadedConfig loadConfig(const ConfigChoices& choices)
 	if (!choices.world.empty()) source.kind = SourceKind::simulator;
 	if (!choices.world.empty()) source.simulator.world = choices.world;
 	if (!choices.sensors_pose.empty()) source.sensor_poses = loadSensorPoses(choices.sensors_pose);
+	allowedArea(loaded.config.explorer.mission.bounds);  // throws where it makes no sense, before anything starts
 	return loaded;
 }
 

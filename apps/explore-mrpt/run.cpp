@@ -21,7 +21,7 @@ struct Run
 	const Options& options;
 	const AppConfig& config;
 	FrameSource& source;
-	ClosedLoopSource* robot;  ///< the same, where it takes commands
+	ClosedLoopSource* robot = nullptr;  ///< the same, where it takes commands
 	RunOutputs& outputs;
 	ConsoleLogger& logger;
 	DepthCheck depth_check;
@@ -29,6 +29,7 @@ struct Run
 	RunTruth truth;
 	TimingRecord timing;
 	RunTally tally;
+	ExplorerState state;
 };
 
 /** Why no frame came. */
@@ -42,14 +43,14 @@ std::string reasonOfEnd(const Run& run)
 void handOver(Run& run, const DepthFrame& frame, const StepResult& result)
 {
 	run.outputs.write(frame, result);
-	run.truth.add(frame, result);
+	run.truth.add(frame, result, run.state.mission.goal_lost);
 	if (run.robot == nullptr) return;
 	run.outputs.writeTruth(frame.timestamp, run.robot->trueState().map_from_robot);
 	run.robot->obey(result.decision.command);
 }
 
 /** One frame from end to end; after the last one, why it was the last. */
-std::optional<std::string> exploreOneFrame(Run& run, ExplorerState& state)
+std::optional<std::string> exploreOneFrame(Run& run)
 {
 	StageClock clock;
 	clock.start();
@@ -57,7 +58,7 @@ std::optional<std::string> exploreOneFrame(Run& run, ExplorerState& state)
 	if (!frame) return reasonOfEnd(run);
 	clock.ended("read");
 	const StepResult result =
-	    step(*frame, state, run.config.explorer, [&](std::string_view stage) { clock.ended(stage); });
+	    step(*frame, run.state, run.config.explorer, [&](std::string_view stage) { clock.ended(stage); });
 	handOver(run, *frame, result);
 	clock.ended("write");
 
@@ -65,6 +66,7 @@ std::optional<std::string> exploreOneFrame(Run& run, ExplorerState& state)
 	run.timing.add(clock.times());
 	run.tally.add(*frame, result);
 	if (const auto remark = run.depth_check.look(*frame)) run.logger.logStr(mrpt::system::LVL_WARN, *remark);
+	if (run.robot != nullptr && result.finished) return std::string(nameOf(run.state.mission.end));
 	if (run.options.realtime) run.pace.waitFor(frame->timestamp);
 	return std::nullopt;
 }
@@ -81,11 +83,10 @@ Progress progressOf(const Run& run)
 std::string exploreAll(Run& run)
 {
 	const auto start = std::chrono::steady_clock::now();
-	ExplorerState state;
 	while (signalReceived() == 0)
 	{
 		if (run.options.max_frames && run.tally.frames >= *run.options.max_frames) return "max frames";
-		if (auto reason = exploreOneFrame(run, state)) return *std::move(reason);
+		if (auto reason = exploreOneFrame(run)) return *std::move(reason);
 		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 		run.logger.status().update(progressOf(run), elapsed.count());
 	}
@@ -98,7 +99,7 @@ InputSummary inputSummary(const SourceReport& report)
 	        report.damage, report.sensor_label, report.sensors_found,  report.pose_origin, report.identity_mount};
 }
 
-RunSummary summaryOf(const Run& run, const std::string& reason)
+RunSummary summaryOf(Run& run, const std::string& reason)
 {
 	return {version(),
 	        run.options.ini,
@@ -108,7 +109,17 @@ RunSummary summaryOf(const Run& run, const std::string& reason)
 	        reason,
 	        run.timing.statistics(),
 	        peakResidentMegabytes(),
-	        run.truth.summary(nullptr)};
+	        explorationSummary(run.state),
+	        run.truth.summary(run.state.memory ? &run.state.memory->map.tree() : nullptr)};
+}
+
+/** What is known of the building so far, where there is a memory. */
+void writeMap(Run& run)
+{
+	if (!run.state.memory) return;
+	const ExplorerConfig& config = run.config.explorer;
+	run.outputs.writeMap(run.state.memory->map.tree(),
+	                     {config.memory.layers.floor_z_m, config.memory.layers.lowest_m, config.robot.height_m});
 }
 
 /** Explores and writes the summary, also when it ends in an error, which is passed on. */
@@ -119,6 +130,7 @@ RunSummary exploreAndSum(Run& run)
 		const std::string reason = exploreAll(run);
 		run.logger.status().finish();
 		RunSummary summary = summaryOf(run, reason);
+		writeMap(run);
 		run.outputs.finish(summary);
 		return summary;
 	}
@@ -127,6 +139,7 @@ RunSummary exploreAndSum(Run& run)
 		run.logger.status().finish();
 		try
 		{
+			writeMap(run);
 			run.outputs.finish(summaryOf(run, std::string("error: ") + error.what()));
 		}
 		catch (const OutputError&)
@@ -204,6 +217,7 @@ int run(const Options& options)
 	        DepthCheck(loaded.config.explorer),
 	        {},
 	        RunTruth(input.robot),
+	        {},
 	        {},
 	        {}};
 	const RunSummary summary = exploreAndSum(run);

@@ -4,7 +4,7 @@
 
 namespace explore::app
 {
-void RunTruth::add(const DepthFrame& frame, const StepResult& result)
+void RunTruth::add(const DepthFrame& frame, const StepResult& result, bool goal_lost)
 {
 	if (m_robot == nullptr) return;
 	const TrueState state = m_robot->trueState();
@@ -13,6 +13,7 @@ void RunTruth::add(const DepthFrame& frame, const StepResult& result)
 	watched.t_s = state.t_s;
 	watched.map_from_robot = state.map_from_robot;
 	watched.goal = goal.kind;
+	watched.goal_lost = goal_lost;
 	// Goals stand in the explorer's map: its own pose takes them there.
 	if (goal.point_in_robot) watched.goal_in_map = isometryOf(frame.map_from_robot) * *goal.point_in_robot;
 	m_watch.add(watched);
@@ -26,10 +27,10 @@ std::optional<TruthSummary> RunTruth::summary(const octomap::OcTree* map) const
 	truth.collisions = state.collisions;
 	truth.min_clearance_m = state.min_clearance_m;
 	truth.path_m = m_watch.path_m();
-	truth.from_start_m = m_watch.from_start_m();
+	truth.from_start_m = m_watch.fromStart_m();
 	truth.goal_flips = m_watch.flips();
 	const TruthReach reach = m_robot->reachable();
-	truth.reachable_m2 = reach.area_m2();
+	truth.reachable_m2 = reach.floorArea();
 	if (map != nullptr) truth.coverage = evaluation::coverageOf(reach, *map).share();
 	return truth;
 }

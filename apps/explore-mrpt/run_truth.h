@@ -20,8 +20,8 @@ public:
 	/** `robot` outlives it; null for a recording. */
 	explicit RunTruth(const ClosedLoopSource* robot) : m_robot(robot) {}
 
-	/** `frame` is the last one that the robot took. */
-	void add(const DepthFrame& frame, const StepResult& result);
+	/** `frame` is the last one that the robot took; `goal_lost` says that the map has put an end to the goal before. */
+	void add(const DepthFrame& frame, const StepResult& result, bool goal_lost);
 	/** Of the frames so far. Coverage is that of `map`, where there is one. */
 	[[nodiscard]] std::optional<TruthSummary> summary(const octomap::OcTree* map) const;
 

@@ -35,11 +35,11 @@ TEST(TruthReach, CellsAndAreaOfItsLevels)
 {
 	TruthReach reach = eightCells();
 	EXPECT_EQ(reach.cells(), 7U);
-	EXPECT_NEAR(reach.area_m2(), 7 * 0.0025, 1e-12);
+	EXPECT_NEAR(reach.floorArea(), 7 * 0.0025, 1e-12);
 	reach.levels.push_back(reach.levels.front());
 	reach.levels.back().reachable.back() = 1;
 	EXPECT_EQ(reach.cells(), 15U);
-	EXPECT_NEAR(reach.area_m2(), 8 * 0.0025, 1e-12);
+	EXPECT_NEAR(reach.floorArea(), 8 * 0.0025, 1e-12);
 }
 
 TEST(Coverage, NothingReachableIsCovered)

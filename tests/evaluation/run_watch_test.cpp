@@ -65,9 +65,9 @@ TEST(RunWatch, PathIsMeasuredAlongEveryCornerAndHomeStraight)
 	for (const auto& place : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(3, 4, 0)})
 		script.robotAt(place).without(2);
 	EXPECT_DOUBLE_EQ(script.watch().path_m(), 7.0);
-	EXPECT_DOUBLE_EQ(script.watch().from_start_m(), 5.0);
+	EXPECT_DOUBLE_EQ(script.watch().fromStart_m(), 5.0);
 	EXPECT_EQ(RunWatch().path_m(), 0.0);
-	EXPECT_EQ(RunWatch().from_start_m(), 0.0);
+	EXPECT_EQ(RunWatch().fromStart_m(), 0.0);
 }
 
 TEST(RunWatch, BackToAGoalJustLeftIsAFlip)

@@ -1,6 +1,7 @@
 #include <explore/memory/door_map_check.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "door_looks.h"
@@ -42,6 +43,22 @@ std::optional<Verdict> objection(const std::vector<Box>& boxes, const Box& seen 
 	return objectionTo(kPlace, 0.95, mapOf(boxes, seen), {}, {});
 }
 
+RobotConfig mav()
+{
+	RobotConfig robot;
+	robot.kind = RobotKind::mav;
+	robot.radius_m = 0.30;
+	robot.height_m = 0.25;
+	return robot;
+}
+
+/** Occupied between these heights, all over. */
+OccupancyQuery slab(double from_m, double to_m)
+{
+	return [=](const Eigen::Vector3d& point)
+	{ return point.z() >= from_m && point.z() <= to_m ? VoxelState::occupied : VoxelState::free; };
+}
+
 TEST(DoorMapCheck, AnOpenDoorwayIsNoReasonToObject)
 {
 	EXPECT_FALSE(objection({kLeftWall, kRightWall}));
@@ -56,6 +73,13 @@ TEST(DoorMapCheck, WhatWasNeverSeenIsNoReasonEither)
 TEST(DoorMapCheck, TheBackOfAWallSeenFromElsewhereBlocksIt)
 {
 	EXPECT_EQ(objection({kLeftWall, kRightWall, {0.1, 0.2, -4, 4}}), Verdict::blocked);
+}
+
+TEST(DoorMapCheck, AHighThresholdStopsARobotOnTheGroundOnly)
+{
+	EXPECT_EQ(objectionTo(kPlace, 0.95, slab(0, 0.2), {}, {}), Verdict::blocked);
+	EXPECT_FALSE(objectionTo(kPlace, 0.95, slab(0, 0.05), {}, {}));
+	EXPECT_FALSE(objectionTo(kPlace, 0.95, slab(0, 0.2), mav(), {}));
 }
 
 TEST(DoorMapCheck, WhatLeavesRoomEnoughDoesNot)
@@ -75,6 +99,28 @@ TEST(DoorMapCheck, WhatIsHigherThanTheRobotIsNotInItsWay)
 	RobotConfig tall;
 	tall.height_m = 1.2;
 	EXPECT_EQ(mappedClearWidth(kPlace, high, tall, {}), 0.0);
+}
+
+TEST(DoorMapCheck, ARobotThatFliesFindsTheAltitudeAtWhichItFits)
+{
+	EXPECT_NEAR(mappedClearWidth(kPlace, slab(0, 1.0), mav(), {}), 1.0, 1e-9) << "over a counter";
+	EXPECT_NEAR(mappedClearWidth(kPlace, slab(1.0, 3.0), mav(), {}), 1.0, 1e-9) << "under a shutter";
+	EXPECT_EQ(mappedClearWidth(kPlace, slab(0.5, 3.0), mav(), {}), 0.0) << "too low for its flight band";
+	EXPECT_EQ(mappedClearWidth(kPlace, slab(0, 1.85), mav(), {}), 0.0) << "0.15 m under a lintel that was not seen";
+	EXPECT_EQ(mappedClearWidth(kPlace, slab(0, 1.0), {}, {}), 0.0) << "a counter stops a robot on the ground";
+	DoorPlace low = kPlace;
+	low.height_m = 0.55;
+	EXPECT_EQ(mappedClearWidth(low, slab(8, 9), mav(), {}), 0.0) << "a hatch in which it has no room";
+	low.height_m = 0.9;
+	EXPECT_NEAR(mappedClearWidth(low, slab(8, 9), mav(), {}), 1.0, 1e-9);
+}
+
+TEST(DoorMapCheck, WhatARobotThatFliesMeetsAtEveryAltitudeBlocksIt)
+{
+	const OccupancyQuery person = [](const Eigen::Vector3d& point)
+	{ return std::abs(point.y()) < 0.25 && point.z() < 1.9 ? VoxelState::occupied : VoxelState::free; };
+	EXPECT_NEAR(mappedClearWidth(kPlace, person, mav(), {}), 0.25, 0.051);
+	EXPECT_EQ(objectionTo(kPlace, 0.95, person, mav(), {}), Verdict::blocked);
 }
 
 /** A room in front with a cupboard, a table and its walls. */

@@ -257,25 +257,80 @@ TEST(DoorTracks, TheMapObjectsToAMirror)
 TEST(DoorTracks, AnOpeningInAWallWithoutThicknessIsAMirrorUntilTheRobotWentThrough)
 {
 	Scout scout;
-	const auto look_with = [&](double thickness_m)
+	const auto look_with = [&](const RevealRows& rows)
 	{
 		++scout.step;
 		scout.t_s += 0.5;
 		const std::vector<Door> reports{reportOf(kDoor, scout.where())};
 		DoorLook look = lookAt(reports, scout.where(), scout.t_s);
-		look.reveal = [thickness_m](const DoorPlace&) { return RevealRows{10, 10 * thickness_m}; };
+		look.reveal = [rows](const DoorPlace&) { return rows; };
 		update(scout.tracks, look, kRobot, kConfig);
 	};
-	for (int i = 0; i < 5; ++i) look_with(0.005);
+	for (int i = 0; i < 5; ++i) look_with({.flat = 10, .thick = 1});
 	ASSERT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
 	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::unknown);
 	scout.tracks.tracks[0].visited = true;
-	look_with(0.005);
+	look_with({.flat = 10, .thick = 1});
 	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::open);
 
 	scout = {};
-	for (int i = 0; i < 5; ++i) look_with(0.1);
+	for (int i = 0; i < 5; ++i) look_with({.flat = 5, .thick = 5});
 	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
+}
+
+TEST(DoorTracks, StairsThatWereSeenAreNotForgottenWhereTheFloorIsOutOfView)
+{
+	Scout scout;
+	scout.lookAtDoors({with(kDoor, Verdict::drop)}, 2);
+	scout.lookAtDoors({kDoor}, 20);
+	ASSERT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::drop);
+	EXPECT_LT(confidenceOf(scout.tracks.tracks[0]), 0.5);
+
+	const auto look_with_floor = [&]
+	{
+		++scout.step;
+		scout.t_s += 0.5;
+		Door report = reportOf(kDoor, scout.where());
+		report.evidence.emplace().floor_beyond = 1.0;
+		scout.look({report});
+	};
+	for (int i = 0; i < 3; ++i) look_with_floor();
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open) << "more looks saw the floor than missed it";
+}
+
+TEST(DoorTracks, ACounterStopsARobotOnTheGroundAndNotOneThatFlies)
+{
+	const OccupancyQuery counter = [](const Eigen::Vector3d& point)
+	{ return std::abs(point.x() - 3) < 0.2 && point.z() < 1.0 ? VoxelState::occupied : VoxelState::free; };
+	RobotConfig flying;
+	flying.kind = RobotKind::mav;
+	flying.radius_m = 0.3;
+	flying.height_m = 0.25;
+	for (const RobotConfig& robot : {kRobot, flying})
+	{
+		const bool flies = robot.kind == RobotKind::mav;
+		DoorTracks tracks;
+		for (int i = 0; i < 5; ++i)
+		{
+			// Rolling and pitching at 1.4 m, as it accelerates.
+			Eigen::Isometry3d map_from_robot = robotAt(0.1 * i, 0.1 * (i % 2), 0);
+			if (flies)
+			{
+				map_from_robot.translation().z() = 1.4;
+				map_from_robot.rotate(Eigen::AngleAxisd(8 * kDegree * (i - 2), Eigen::Vector3d(0.6, 0.8, 0)));
+			}
+			const std::vector<Door> reports{reportOf(kDoor, map_from_robot)};
+			DoorLook look = lookAt(reports, map_from_robot, 0.5 * i);
+			look.occupancy = counter;
+			update(tracks, look, robot, kConfig);
+		}
+		ASSERT_EQ(tracks.tracks.size(), 1U);
+		EXPECT_TRUE(tracks.tracks[0].existence.confirmed);
+		EXPECT_NEAR(tracks.tracks[0].place.floor_m, 0, 1e-6);
+		EXPECT_LT((tracks.tracks[0].place.center_in_map - kDoor.center_in_map).norm(), 1e-6);
+		EXPECT_EQ(verdictOf(tracks.tracks[0]), flies ? Verdict::open : Verdict::blocked);
+	}
 }
 
 TEST(DoorTracks, MemoryIsBoundedAndTheLeastSureGoFirst)

@@ -38,13 +38,14 @@ test::DrawnMap roomWithExit()
 }
 
 std::vector<LeftOver> accountOf(const test::DrawnMap& drawn, const AllowedArea& area = {},
-                                const std::vector<DoorTrack>& doors = {})
+                                const std::vector<DoorTrack>& doors = {}, bool looked_at_all = true)
 {
 	FrontierMemory memory = test::memoryOf(drawn);
 	memory.doors.tracks = doors;
 	const Eigen::Vector3d robot_in_map = drawn.at('r');
 	const PlanMap map = planMap({memory.layers, area, robot_in_map, {}}, {}, {});
-	return leftOver(map, memory, travelFrom(map, map.cellOf(robot_in_map), {}, {}), area);
+	const TravelField field = travelFrom(map, map.cellOf(robot_in_map), {}, {});
+	return leftOver({map, memory, field, area, looked_at_all});
 }
 
 /** All of them have one reason. */
@@ -52,6 +53,16 @@ void expectAll(const std::vector<LeftOver>& all, LeftOverReason why)
 {
 	EXPECT_FALSE(all.empty());
 	for (const LeftOver& one : all) EXPECT_EQ(nameOf(one.why), nameOf(why)) << one.center_in_map.transpose();
+}
+
+DoorTrack doorSaying(Verdict verdict, bool confirmed = true)
+{
+	DoorTrack door;
+	door.place.center_in_map = {2.3, 1.1};
+	door.place.width_m = 0.9;
+	door.existence.confirmed = confirmed;
+	addOpinion(door.belief, {verdict, 0.0, 0.1, 1.0}, 0.8);
+	return door;
 }
 
 TEST(LeftOver, AClosedRoomLeavesNothing)
@@ -66,6 +77,12 @@ TEST(LeftOver, AnExitThatLookingDidNotOpenIsSealed)
 	ASSERT_EQ(all.size(), 1U) << "neighbours are one";
 	EXPECT_NEAR(all[0].area_m2, 20 * 0.05 * 0.05, 1e-9) << "a column of cells beside 1 m of frontier";
 	EXPECT_LT((all[0].center_in_map - Eigen::Vector3d(2.425, 1.1, 0.0)).norm(), 0.05);
+}
+
+TEST(LeftOver, WhatWasNotYetLookedAtHasNoReason)
+{
+	EXPECT_TRUE(accountOf(roomWithExit(), {}, {}, false).empty());
+	expectAll(accountOf(roomWithExit(), {}, {doorSaying(Verdict::closed)}, false), LeftOverReason::closed_door);
 }
 
 TEST(LeftOver, AGapThatTheRobotDoesNotFitThroughIsTooNarrow)
@@ -97,16 +114,6 @@ TEST(LeftOver, BoundsAndKeepOutNameWhatIsBehindThem)
 TEST(LeftOver, UnknownBesideADropIsTheDrop)
 {
 	expectAll(accountOf(roomWith(4, 9, {"vv.", "vv.", "vv.", "vv.", "vv."})), LeftOverReason::drop);
-}
-
-DoorTrack doorSaying(Verdict verdict, bool confirmed = true)
-{
-	DoorTrack door;
-	door.place.center_in_map = {2.3, 1.1};
-	door.place.width_m = 0.9;
-	door.existence.confirmed = confirmed;
-	addOpinion(door.belief, {verdict, 0.0, 0.1, 1.0}, 0.8);
-	return door;
 }
 
 TEST(LeftOver, ADoorThatCannotBePassedTellsWhy)

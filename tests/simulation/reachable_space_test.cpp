@@ -132,7 +132,7 @@ TEST(ReachableSpace, AnEmptyRoomButForItsMargins)
 	EXPECT_EQ(reach.levels[0].high_m, 0.60);
 	// Middles from 0.275 to 3.725 and to 2.725: 70 columns, 50 rows.
 	EXPECT_EQ(reach.cells(), 70U * 50U);
-	EXPECT_NEAR(reach.area_m2(), 70 * 50 * 0.0025, 1e-9);
+	EXPECT_NEAR(reach.floorArea(), 70 * 50 * 0.0025, 1e-9);
 	EXPECT_TRUE(reaches(reach, 0.28, 0.28));
 	EXPECT_FALSE(reaches(reach, 0.22, 1.0));
 }

@@ -1,5 +1,6 @@
 // Replays logs with truth through perception, map and door tracks, and prints how many tracks are right.
 #include <explore/evaluation/door_pairs.h>
+#include <explore/evaluation/statistics.h>
 #include <explore/evaluation/truth_file.h>
 #include <explore/memory/corridor_sight.h>
 #include <explore/memory/corridor_tracks.h>
@@ -9,13 +10,17 @@
 #include <explore/perception/perceive.h>
 #include <explore/sources/source.h>
 #include <mrpt/core/Clock.h>
+#include <mrpt/core/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace explore::test
 {
@@ -29,24 +34,22 @@ struct Options
 	std::vector<std::string> logs;
 };
 
-struct Count
+using evaluation::SceneRatio;
+
+void add(SceneRatio& ratio, bool is_good)
 {
-	int all = 0, right = 0;
+	++ratio.all;
+	ratio.good += is_good ? 1U : 0U;
+}
 
-	void add(bool is_right)
-	{
-		++all;
-		right += is_right ? 1 : 0;
-	}
-};
-
+/** One scene's figures, as doc/definitions.md has them. */
 struct Score
 {
-	Count at_five, at_end;  ///< positive tracks at their fifth look (or the end), and at the end
-	Count found_at_five;    ///< positive doors that had five looks; found by then
-	Count frames;           ///< positive reports of single frames; at a positive door
-	int doors = 0, doubles = 0, confirmed = 0;
-	Count corridors;  ///< confirmed tracks, and those along a true corridor
+	SceneRatio at_five, at_end;  ///< tracks that can be passed, at their fifth look (or the end), and at the end
+	SceneRatio found_at_five;    ///< of the doors that can be passed and had five looks
+	SceneRatio reports;          ///< of single frames, that can be passed
+	SceneRatio doubles;          ///< tracks beyond the first, and doors that have one
+	SceneRatio corridors;        ///< confirmed tracks; along a true corridor
 };
 
 /** What the truth says of one door over a scene. */
@@ -109,7 +112,7 @@ void learnTruth(Scene& scene, const TruthFrame& truth, const Viewpoint& now, con
 		const bool found = std::ranges::any_of(
 		    scene.doors.tracks, [&](const DoorTrack& track)
 		    { return isPositiveTrack(track, robot) && isAt(track.place, clearWidthOf(track.belief), door); });
-		score.found_at_five.add(found);
+		add(score.found_at_five, found);
 		if (!found)
 		{
 			std::printf("  missed %s at %.2f %.2f %s w %.2f:", door.id.c_str(), door.center_in_map.x(),
@@ -150,27 +153,28 @@ void addFrame(Scene& scene, const DepthFrame& frame, const TruthLog& log, const 
 	learnTruth(scene, truth, {look.map_from_robot * look.robot_from_camera, look.t_s}, log.robot, score);
 	for (const Door& door : percepts.doors)
 		if (fitsThrough(door, log.robot))
-			score.frames.add(isAtPositive(scene, placeOf(door, look.map_from_robot), door.clear_width_m));
+			add(score.reports, isAtPositive(scene, placeOf(door, look.map_from_robot), door.clear_width_m));
 }
 
 void printWrong(const char* when, const DoorTrack& track)
 {
 	std::printf(
-	    "  wrong %s: track %d at %.2f %.2f, %.2f wide, %s %.2f, %d of %d looks, log-odds %.2f, inner face %.3f m in %d "
+	    "  wrong %s: track %d at %.2f %.2f, %.2f wide, %s %.2f, %d of %d looks, log-odds %.2f, wall flat in %d and "
+	    "thick in %d "
 	    "rows\n",
 	    when, track.number, track.place.center_in_map.x(), track.place.center_in_map.y(), track.place.width_m,
 	    std::string(nameOf(verdictOf(track))).c_str(), confidenceOf(track), track.existence.hits, track.existence.looks,
-	    track.existence.log_odds, track.reveal.meanDepth_m(), track.reveal.rows);
+	    track.existence.log_odds, track.reveal.flat, track.reveal.thick);
 }
 
 void scoreTracks(const Scene& scene, const std::vector<DoorTrack>& tracks, const RobotConfig& robot, const char* when,
-                 Count& count)
+                 SceneRatio& ratio)
 {
 	for (const DoorTrack& track : tracks)
 	{
 		if (!isPositiveTrack(track, robot)) continue;
 		const bool right = isAtPositive(scene, track.place, clearWidthOf(track.belief));
-		count.add(right);
+		add(ratio, right);
 		if (!right) printWrong(when, track);
 	}
 }
@@ -182,60 +186,91 @@ void finishScene(const Scene& scene, const RobotConfig& robot, Score& score)
 		if (track.existence.looks < 5) due.push_back(track);
 	scoreTracks(scene, due, robot, "at five looks", score.at_five);
 	scoreTracks(scene, scene.doors.tracks, robot, "at the end", score.at_end);
-	for (const auto& [id, known] : scene.known)
+	for (const auto& entry : scene.known)
 	{
+		const TruthDoor& door = entry.second.door;
 		int near = 0;
 		for (const DoorTrack& track : scene.doors.tracks)
-			near += track.existence.confirmed &&
-			                (track.place.center_in_map - known.door.center_in_map.head<2>()).norm() < 0.5
+			near += track.existence.confirmed && (track.place.center_in_map - door.center_in_map.head<2>()).norm() < 0.5
 			            ? 1
 			            : 0;
-		++score.doors;
-		score.doubles += std::max(0, near - 1);
+		score.doubles.all += near > 0 ? 1U : 0U;
+		score.doubles.good += static_cast<evaluation::Count>(std::max(0, near - 1));
 	}
-	for (const DoorTrack& track : scene.doors.tracks) score.confirmed += track.existence.confirmed ? 1 : 0;
 	for (const CorridorTrack& track : scene.corridors.tracks)
 		if (track.existence.confirmed)
-			score.corridors.add(
+			add(score.corridors,
 			    std::ranges::any_of(scene.corridor_directions_rad, [&](double direction_rad)
 			                        { return std::abs(axisDifference(direction_rad, track.direction_rad)) < 0.035; }));
 }
 
-Score scoreOf(const std::string& path, const Options& options)
+/** A score a scene; `robot` becomes that of the log. */
+std::vector<Score> scoresOf(const std::string& path, const Options& options, RobotKind& robot)
 {
 	const TruthLog log = evaluation::readTruth(evaluation::truthPathOf(path));
+	robot = log.robot.kind;
 	mrpt::system::COutputLogger logger;
 	logger.logging_enable_console_output = false;
 	SourceConfig config;
 	config.rawlog = path;
 	const auto source = makeSource(config, logger);
-	Score score;
-	std::map<int, Scene> scenes;
+	std::vector<Score> scores;
+	std::optional<Scene> scene;
+	int number = 0;
 	while (auto frame = source->next())
 	{
 		const auto truth = std::ranges::find(log.frames, frame->index, &TruthFrame::index);
 		if (truth == log.frames.end()) continue;
 		frame->robot_from_camera = mountOf(log, *truth);
 		if (!options.odometry) frame->map_from_robot = truth->map_from_robot;
-		if (!scenes.contains(truth->scene) && !scenes.empty())
+		if (!scene || truth->scene != number)
 		{
-			finishScene(scenes.begin()->second, log.robot, score);
-			scenes.clear();
+			if (scene) finishScene(*scene, log.robot, scores.back());
+			number = truth->scene;
+			scene.emplace();
+			scores.emplace_back();
 		}
-		addFrame(scenes[truth->scene], *frame, log, *truth, options, score);
+		addFrame(*scene, *frame, log, *truth, options, scores.back());
 	}
-	if (!scenes.empty()) finishScene(scenes.begin()->second, log.robot, score);
-	return score;
+	if (scene) finishScene(*scene, log.robot, scores.back());
+	return scores;
 }
 
-void print(const std::string& name, const Score& score)
+std::string text(const std::vector<Score>& scores, SceneRatio Score::*which)
 {
-	std::printf(
-	    "%s: reports right %d/%d; tracks right at five looks %d/%d, at the end %d/%d; doors found at five looks "
-	    "%d/%d; doubles %d of %d doors; confirmed %d; corridors right %d/%d\n",
-	    name.c_str(), score.frames.right, score.frames.all, score.at_five.right, score.at_five.all, score.at_end.right,
-	    score.at_end.all, score.found_at_five.right, score.found_at_five.all, score.doubles, score.doors,
-	    score.confirmed, score.corridors.right, score.corridors.all);
+	std::vector<SceneRatio> ratios;
+	ratios.reserve(scores.size());
+	for (const Score& score : scores) ratios.push_back(score.*which);
+	const auto rate = evaluation::rateOf(ratios);
+	if (!rate) return "none";
+	return mrpt::format("%.2f %% (%.2f-%.2f, %llu of %llu)", 100 * rate->value, 100 * rate->low, 100 * rate->high,
+	                    static_cast<unsigned long long>(rate->good), static_cast<unsigned long long>(rate->all));
+}
+
+/** Rates with their 95 % interval over scenes. */
+void print(const std::string& name, const std::vector<Score>& scores)
+{
+	if (scores.empty()) return;
+	std::printf("%s, %zu scenes\n", name.c_str(), scores.size());
+	std::printf("    tracks right at five looks %s, at the end %s\n", text(scores, &Score::at_five).c_str(),
+	            text(scores, &Score::at_end).c_str());
+	std::printf("    doors found at five looks %s; single reports right %s\n",
+	            text(scores, &Score::found_at_five).c_str(), text(scores, &Score::reports).c_str());
+	std::printf("    second tracks of a door %s; corridors right %s\n", text(scores, &Score::doubles).c_str(),
+	            text(scores, &Score::corridors).c_str());
+}
+
+void measure(const Options& options)
+{
+	std::map<RobotKind, std::vector<Score>> all;
+	for (const std::string& log : options.logs)
+	{
+		RobotKind robot{};
+		const std::vector<Score> scores = scoresOf(log, options, robot);
+		print(log, scores);
+		all[robot].insert(all[robot].end(), scores.begin(), scores.end());
+	}
+	for (const auto& [robot, scores] : all) print("all logs, " + std::string(nameOf(robot)), scores);
 }
 
 Options optionsOf(int argc, char** argv)
@@ -269,7 +304,7 @@ int main(int argc, char** argv)
 	}
 	try
 	{
-		for (const std::string& log : options.logs) print(log, scoreOf(log, options));
+		measure(options);
 	}
 	catch (const std::exception& error)
 	{

@@ -25,7 +25,7 @@ std::size_t TruthReach::cells() const
 	return count;
 }
 
-double TruthReach::area_m2() const
+double TruthReach::floorArea() const
 {
 	std::size_t count = 0;
 	for (std::size_t i = 0; i < static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); ++i)

@@ -111,7 +111,7 @@ struct TruthReach
 	/** Of all levels. */
 	[[nodiscard]] std::size_t cells() const;
 	/** Of the floor below the reachable cells [m²]. */
-	[[nodiscard]] double area_m2() const;
+	[[nodiscard]] double floorArea() const;
 };
 
 /** Everything in LOG.truth.json. */

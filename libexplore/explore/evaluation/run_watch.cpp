@@ -21,7 +21,7 @@ void RunWatch::add(const WatchedFrame& frame)
 	follow(frame);
 }
 
-double RunWatch::from_start_m() const
+double RunWatch::fromStart_m() const
 {
 	return m_start_in_map ? (m_robot_in_map - *m_start_in_map).head<2>().norm() : 0.0;
 }

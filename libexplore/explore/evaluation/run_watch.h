@@ -30,7 +30,7 @@ public:
 	/** Length of the true path. */
 	[[nodiscard]] double path_m() const { return m_path_m; }
 	/** True distance from the first frame's place on the floor plan. */
-	[[nodiscard]] double from_start_m() const;
+	[[nodiscard]] double fromStart_m() const;
 	/** Returns to within 0.5 m of a goal that was left less than 20 s before, while the one in between was neither
 	 *  reached (the robot within 0.5 m of it on the floor plan) nor lost (doc/definitions.md, "Goal flip"). */
 	[[nodiscard]] std::size_t flips() const { return m_flips; }

@@ -182,6 +182,8 @@ DoorTrack joined(const DoorTrack& a, const DoorTrack& b, const DoorFusionConfig&
 	result.belief = joined(a.belief, b.belief);
 	result.visited = a.visited || b.visited;
 	result.reveal += other.reveal;
+	result.floor_seen += other.floor_seen;
+	result.floor_missing += other.floor_missing;
 	for (const int number : other.seen_beside)
 		if (std::ranges::find(result.seen_beside, number) == result.seen_beside.end())
 			result.seen_beside.push_back(number);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace explore
 {
@@ -14,18 +15,52 @@ constexpr double kShift_m = 0.3;    // of a mirror that is not one
 constexpr std::array<double, 5> kMirrorHeights_m{0.3, 0.6, 0.9, 1.2, 1.5};
 constexpr double kMirrorBeside_m = 0.5;  // beyond the jambs: what a mirror shows at an angle
 
-bool isColumnFree(const DoorPlace& place, double along_m, const OccupancyQuery& occupancy, const RobotConfig& robot,
+/** The heights above the floor between which the robot's body may pass an opening, and how much of them it takes. */
+struct BodyRoom
+{
+	double lowest_m = 0, highest_m = 0, body_m = 0;
+};
+
+/** A robot on the ground takes all of its room, one that flies finds its own height in the band that it flies in, and
+ *  below the lintel. */
+BodyRoom roomOf(const DoorPlace& place, const RobotConfig& robot)
+{
+	if (robot.kind == RobotKind::ground) return {kLowest_m, robot.height_m, robot.height_m - kLowest_m};
+	const double half_m = 0.5 * robot.height_m;
+	return {std::max(kLowest_m, robot.min_altitude_m - half_m),
+	        std::min(robot.max_altitude_m + half_m, place.height_m.value_or(kUsualDoorHeight_m)), robot.height_m};
+}
+
+/** Whether nothing occupied is at that place of the opening, from before the wall to behind it. */
+bool isFreeAcross(const Eigen::Vector3d& point_in_map, const Eigen::Vector2d& normal, const OccupancyQuery& occupancy,
                   double step_m)
 {
-	const Eigen::Vector2d normal = place.normal();
 	for (double across_m = -kPassage_m; across_m <= kPassage_m; across_m += step_m)
-		for (double height_m = kLowest_m; height_m < robot.height_m; height_m += step_m)
-		{
-			Eigen::Vector3d point = place.point(along_m, height_m);
-			point.head<2>() += across_m * normal;
-			if (occupancy(point) == VoxelState::occupied) return false;
-		}
+	{
+		Eigen::Vector3d point = point_in_map;
+		point.head<2>() += across_m * normal;
+		if (occupancy(point) == VoxelState::occupied) return false;
+	}
 	return true;
+}
+
+/** The most columns side by side of which each is free in all of `levels` neighbouring levels. */
+int widestRun(const std::vector<std::vector<bool>>& free_at_level, std::size_t levels)
+{
+	int widest = 0;
+	for (std::size_t first = 0; first + levels <= free_at_level.size(); ++first)
+	{
+		int run = 0;
+		for (std::size_t column = 0; column < free_at_level[first].size(); ++column)
+		{
+			bool is_free = true;
+			for (std::size_t level = first; is_free && level < first + levels; ++level)
+				is_free = free_at_level[level][column];
+			run = is_free ? run + 1 : 0;
+			widest = std::max(widest, run);
+		}
+	}
+	return widest;
 }
 
 /** Whether the mirror image of `point`, in a mirror `shift_m` in front of the opening's, is occupied; unknown there. */
@@ -69,15 +104,24 @@ void describe(FieldVisitor& fields, MapCheckConfig& config)
 double mappedClearWidth(const DoorPlace& place, const OccupancyQuery& occupancy, const RobotConfig& robot,
                         const MapCheckConfig& config)
 {
-	const auto columns = static_cast<int>(place.width_m / config.step_m);
-	int run = 0, longest = 0;
-	for (int column = 0; column < columns; ++column)
+	const auto columns = static_cast<std::size_t>(place.width_m / config.step_m);
+	if (columns == 0) return place.width_m;
+	const double column_m = place.width_m / static_cast<double>(columns);
+	const BodyRoom room = roomOf(place, robot);
+	if (room.highest_m - room.lowest_m < room.body_m) return 0;
+	std::vector<std::vector<bool>> free_at_level;
+	for (double height_m = room.lowest_m; height_m < room.highest_m; height_m += config.step_m)
 	{
-		const double along_m = (column + 0.5) * place.width_m / columns - 0.5 * place.width_m;
-		run = isColumnFree(place, along_m, occupancy, robot, config.step_m) ? run + 1 : 0;
-		longest = std::max(longest, run);
+		std::vector<bool>& free = free_at_level.emplace_back(columns);
+		for (std::size_t column = 0; column < columns; ++column)
+		{
+			const double along_m = (static_cast<double>(column) + 0.5) * column_m - 0.5 * place.width_m;
+			free[column] = isFreeAcross(place.point(along_m, height_m), place.normal(), occupancy, config.step_m);
+		}
 	}
-	return columns > 0 ? longest * place.width_m / columns : place.width_m;
+	if (free_at_level.empty()) return place.width_m;
+	const auto levels = static_cast<std::size_t>(std::ceil(room.body_m / config.step_m));
+	return widestRun(free_at_level, std::min(levels, free_at_level.size())) * column_m;
 }
 
 MirrorImage mirrorImageOf(const DoorPlace& place, const OccupancyQuery& occupancy, const MapCheckConfig& config)

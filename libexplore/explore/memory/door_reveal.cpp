@@ -12,18 +12,23 @@ namespace
 constexpr double kOutside_m = 0.2, kInside_m = 0.4;  // of the jamb, along the wall: how far pixels are looked at
 constexpr double kBeside_m = 0.06;                   // from here on outward it is the wall's face
 constexpr double kFarFace_m = 0.3;                   // of the wall's face from where the door is thought to be
-constexpr double kThickness_m = 0.1;                 // of a wall: inner faces are at least so deep
-constexpr double kDeepest_m = 0.2;  // behind the wall's face: what is deeper belongs to the room behind
-constexpr double kMost_m = 0.15;    // deeper than this tells no more
+constexpr std::size_t kFacePoints = 3;               // that the wall's face needs
+constexpr double kThickness_m = 0.1;                 // of a wall: its inner faces are about so deep
+constexpr double kFlat_m = 0.04, kThick_m = 0.06;    // a wall that ends before has no inner face, one beyond has
+constexpr double kDeepest_m = 0.3;                   // of inner faces; what is deeper belongs to the room behind
+constexpr double kJump_m = 0.1;                      // from the end of the wall to what is seen behind it
 constexpr double kLowest_m = 0.2, kHighest_m = 1.8, kRowStep_m = 0.05;
-constexpr double kLeastPixels = 1.5;  // that the inner face has to cover
+constexpr double kLeastPixels = 1.5;    // that the inner face has to cover
+constexpr double kHiddenShare = 0.6;    // of these pixels: so many without return may hide it
+constexpr std::size_t kNothing_px = 2;  // without return: nothing comes back from behind
 
-/** A measured point beside a jamb: inward along the wall, and behind the door's middle plane as the camera sees it. */
-struct JambPoint
+/** Beside a jamb: inward along the wall, and behind the door's middle plane as the camera sees it. */
+struct PlanPoint
 {
 	double inward_m = 0, behind_m = 0;
-	bool valid = false;
 };
+/** What a pixel measured; no value without return. */
+using JambPoint = std::optional<PlanPoint>;
 
 class JambScan
 {
@@ -46,7 +51,8 @@ public:
 	 */
 	[[nodiscard]] std::vector<JambPoint> row(double height_m) const
 	{
-		const auto outside = pixelAt(-kOutside_m, height_m), inside = pixelAt(kInside_m, height_m);
+		// The wall's outer face stands before the door's middle plane, which from the side it hides.
+		const auto outside = pixelAt({-kOutside_m, -kFarFace_m}, height_m), inside = pixelAt({kInside_m, 0}, height_m);
 		if (!outside || !inside) return {};
 		const auto v = static_cast<int>(std::lround(0.5 * (outside->y() + inside->y())));
 		const auto first = static_cast<int>(std::lround(outside->x())),
@@ -68,18 +74,19 @@ public:
 	}
 
 private:
-	[[nodiscard]] std::optional<Eigen::Vector2d> pixelAt(double inward_m, double height_m) const
+	[[nodiscard]] std::optional<Eigen::Vector2d> pixelAt(const PlanPoint& at, double height_m) const
 	{
-		const double along_m = m_side * (0.5 * m_place.width_m - inward_m);
-		return pixelOfPoint(m_image.intrinsics, m_camera_from_map * m_place.point(along_m, height_m));
+		Eigen::Vector3d point = m_place.point(m_side * (0.5 * m_place.width_m - at.inward_m), height_m);
+		point.head<2>() += at.behind_m * m_behind;
+		return pixelOfPoint(m_image.intrinsics, m_camera_from_map * point);
 	}
 	[[nodiscard]] JambPoint pointAt(int u, int v) const
 	{
 		const double depth_m = m_image.at(u, v);
-		if (depth_m <= 0) return {};
+		if (depth_m <= 0) return std::nullopt;
 		const Eigen::Vector3d point = m_map_from_camera * (depth_m * rayOfPixel(m_image.intrinsics, u, v));
 		const Eigen::Vector2d offset = point.head<2>() - m_place.center_in_map;
-		return {offset.dot(m_inward) + 0.5 * m_place.width_m, offset.dot(m_behind), true};
+		return PlanPoint{offset.dot(m_inward) + 0.5 * m_place.width_m, offset.dot(m_behind)};
 	}
 
 	const DepthImage& m_image;
@@ -95,15 +102,48 @@ std::optional<double> faceOf(const std::vector<JambPoint>& row)
 {
 	std::vector<double> behind_m;
 	for (const JambPoint& point : row)
-		if (point.valid && point.inward_m < -kBeside_m && std::abs(point.behind_m) < kFarFace_m)
-			behind_m.push_back(point.behind_m);
-	if (behind_m.size() < 2) return std::nullopt;
+		if (point && point->inward_m < -kBeside_m && std::abs(point->behind_m) < kFarFace_m)
+			behind_m.push_back(point->behind_m);
+	if (behind_m.size() < kFacePoints) return std::nullopt;
 	const auto middle = behind_m.begin() + static_cast<std::ptrdiff_t>(behind_m.size() / 2);
 	std::nth_element(behind_m.begin(), middle, behind_m.end());
 	return *middle;
 }
 
-/** The depth behind the wall's face of what is seen last, from outside inward, before the room behind. */
+/** Where the wall ends in a row of pixels, from outside inward. */
+struct WallEnd
+{
+	double deep_m = 0;                            ///< behind the wall's face
+	std::size_t hole_px = 0;                      ///< without return, right after it
+	std::optional<double> next_m = std::nullopt;  ///< what is seen after these, behind the wall's face
+};
+
+/** No value where the row ends first. */
+std::optional<WallEnd> endOf(const std::vector<JambPoint>& row, double face_m)
+{
+	std::size_t last = 0;
+	for (std::size_t i = 0; i < row.size(); ++i)
+		if (row[i] && row[i]->behind_m - face_m < kDeepest_m) last = i;
+	if (last + 1 >= row.size() || !row[last]) return std::nullopt;
+	std::size_t next = last + 1;
+	while (next < row.size() && !row[next]) ++next;
+	WallEnd end{row[last]->behind_m - face_m, next - last - 1};
+	if (next < row.size()) end.next_m = row[next]->behind_m - face_m;
+	return end;
+}
+
+/** Whether the wall surely ends there, with its inner face in view if it has one. */
+bool isEnd(const WallEnd& end, double inner_px)
+{
+	// A leaf that stands open toward the camera, or whoever stands there, hides the wall.
+	if (end.deep_m < -kThickness_m) return false;
+	const bool may_hide_it = static_cast<double>(end.hole_px) >= kHiddenShare * inner_px;
+	// Nothing at all comes back from behind: the inner face would be bright beside it.
+	if (!end.next_m) return may_hide_it && end.hole_px >= kNothing_px;
+	// The projector's shadow beside an edge may hide a small inner face; a wall across goes on without an end.
+	return *end.next_m - end.deep_m > kJump_m && !(may_hide_it && end.deep_m < kFlat_m);
+}
+
 RevealRows rowOf(const JambScan& scan, double height_m)
 {
 	const std::vector<JambPoint> row = scan.row(height_m);
@@ -111,15 +151,9 @@ RevealRows rowOf(const JambScan& scan, double height_m)
 	if (!face_m) return {};
 	const double inner_px = scan.innerPixels(*face_m);
 	if (inner_px < kLeastPixels) return {};
-	std::size_t last = 0;
-	for (std::size_t i = 0; i < row.size(); ++i)
-		if (row[i].valid && row[i].behind_m - *face_m < kDeepest_m) last = i;
-	// The projector's shadow beside an edge hides what is there, and at a grazing angle the inner face does not end
-	// before the row does.
-	if (last + 1 >= row.size() || !row[last + 1].valid) return {};
-	const double deep_m = row[last].behind_m - *face_m;
-	// A leaf that stands open toward the camera, or whoever stands there, hides it as well.
-	return deep_m > -kThickness_m ? RevealRows{1, std::min(deep_m, kMost_m)} : RevealRows{};
+	const auto end = endOf(row, *face_m);
+	if (!end || !isEnd(*end, inner_px)) return {};
+	return {end->deep_m < kFlat_m ? 1 : 0, end->deep_m > kThick_m ? 1 : 0};
 }
 }  // namespace
 

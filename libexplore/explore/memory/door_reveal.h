@@ -8,18 +8,18 @@
 
 namespace explore
 {
-/** Rows of pixels across jambs that turn their inner face to the camera, in which that face covers some pixels. */
+/** Rows of pixels across jambs that turn their inner face to the camera, in which that face would cover some pixels. */
 struct RevealRows
 {
-	int rows = 0;
-	/** Sum over the rows of how far behind the wall's face the last surface ends, before the room behind [m]. */
-	double depth_m = 0;
+	int flat = 0;   ///< the wall ends where its outer face does
+	int thick = 0;  ///< it goes on as far as a thin wall is thick, and ends there
 
-	[[nodiscard]] double meanDepth_m() const { return rows > 0 ? depth_m / rows : 0.0; }
+	/** Of the rows that tell, 0–1; 0 without any. */
+	[[nodiscard]] double flatShare() const { return flat > 0 ? static_cast<double>(flat) / (flat + thick) : 0.0; }
 	RevealRows& operator+=(const RevealRows& other)
 	{
-		rows += other.rows;
-		depth_m += other.depth_m;
+		flat += other.flat;
+		thick += other.thick;
 		return *this;
 	}
 };

@@ -20,6 +20,14 @@ Eigen::Matrix2d inMap(const DoorPlace& place, double along_m, double across_m)
 	axes << place.along(), place.normal();
 	return axes * Eigen::Vector2d(along_m * along_m, across_m * across_m).asDiagonal() * axes.transpose();
 }
+/** As the verdict has it, or the rays that should have met a floor there. */
+std::optional<bool> floorBeyond(const Door& door)
+{
+	constexpr double kMostly = 0.5;
+	if (door.verdict == Verdict::drop) return false;
+	if (!door.evidence || !door.evidence->floor_beyond) return std::nullopt;
+	return *door.evidence->floor_beyond > kMostly ? std::optional(true) : std::nullopt;
+}
 }  // namespace
 
 void describe(FieldVisitor& fields, SightingNoiseConfig& config)
@@ -80,6 +88,7 @@ DoorSighting sightingOf(const Door& door_in_robot, const Eigen::Isometry3d& map_
 	sighting.clear_width_m = door_in_robot.clear_width_m;
 	const double usual = isPassable(door_in_robot.verdict) ? kPassableByDefault : 1 - kPassableByDefault;
 	sighting.confidence = door_in_robot.confidence.value_or(usual);
+	sighting.floor_beyond = floorBeyond(door_in_robot);
 	sighting.quality = lookQuality(sighting.range_m, sighting.incidence_rad);
 	return sighting;
 }

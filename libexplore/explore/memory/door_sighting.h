@@ -5,6 +5,8 @@
 #include <explore/memory/track_existence.h>
 #include <explore/perception/sensor_noise.h>
 
+#include <optional>
+
 namespace explore
 {
 /** Standard deviations of what a report says, for one look; how they grow with range and incidence is depthSigma()'s
@@ -30,7 +32,9 @@ struct DoorSighting
 	Verdict verdict = Verdict::open;
 	double clear_width_m = 0;
 	double confidence = 0;  ///< P(the robot can pass)
-	double quality = 0;     ///< how much this look counts beside others, 0–1: near and frontal is 1
+	/** Whether there is a floor behind the opening; no value: it was not in view. */
+	std::optional<bool> floor_beyond{};
+	double quality = 0;  ///< how much this look counts beside others, 0–1: near and frontal is 1
 };
 
 /** P(pass) of reports of methods that give none. */

@@ -23,7 +23,10 @@ struct DoorTrack
 	Existence existence;
 	DoorBelief belief;
 	RevealRows reveal;  ///< of all looks, faded
-	/** What speaks against passing here that no report tells: blocked (the map, seen from elsewhere, holds something in
+	/** Weights of the looks that saw a floor behind the opening, and that saw that there is none. */
+	double floor_seen = 0, floor_missing = 0;
+	/** What speaks against passing here although most looks say otherwise: drop (those that had the floor behind in
+	 *  view; from nearby it is out of view), blocked (the map, seen from elsewhere, holds something in
 	 *  the way) or unknown (a mirror: what is behind is the mirror image of what is in front, or the wall has no
 	 *  thickness). */
 	std::optional<Verdict> objection;

@@ -43,12 +43,20 @@ double weightOf(const DoorTrack& track, const Now& now, const DoorTrackConfig& c
 	return novelty(track.existence.last_look, now.from, config.existence.same_place_weight);
 }
 
+/** Where most looks have the floor behind out of view, those that saw it count. */
+void addFloor(DoorTrack& track, const DoorSighting& sighting, double weight)
+{
+	if (!sighting.floor_beyond) return;
+	(*sighting.floor_beyond ? track.floor_seen : track.floor_missing) += weight * sighting.quality;
+}
+
 void addReport(DoorTrack& track, const DoorSighting& sighting, const Now& now, const DoorTrackConfig& config)
 {
 	const double weight = weightOf(track, now, config);
 	// Errors of looks from one place are shared: such a look is worth less than one from elsewhere.
 	fuse(track, lessSure(sighting, weight), now.travelled_m, config.fusion);
 	addOpinion(track.belief, opinionOf(sighting, weight), config.fading);
+	addFloor(track, sighting, weight);
 	addLook(track.existence, {now.from, true, thereByReport(sighting)}, config.existence);
 }
 
@@ -76,6 +84,7 @@ DoorTrack newTrack(int number, const DoorSighting& sighting, const Now& now, con
 	track.width_variance = sighting.width_variance;
 	track.fused_at_m = now.travelled_m;
 	addOpinion(track.belief, opinionOf(sighting, 1), config.fading);
+	addFloor(track, sighting, 1);
 	addLook(track.existence, {now.from, true, thereByReport(sighting)}, config.existence);
 	return track;
 }
@@ -124,14 +133,15 @@ std::vector<int> numberSightings(DoorTracks& tracks, const std::vector<DoorSight
 
 bool isFlat(const DoorTrack& track, const DoorTrackConfig& config)
 {
-	return !track.visited && config.flat_depth_m > 0 && track.reveal.rows >= config.flat_rows &&
-	       track.reveal.meanDepth_m() < config.flat_depth_m;
+	return !track.visited && config.flat_share > 0 && track.reveal.flat >= config.flat_rows &&
+	       track.reveal.flatShare() >= config.flat_share;
 }
 
 std::optional<Verdict> objectionTo(const DoorTrack& track, const DoorLook& look, const RobotConfig& robot,
                                    const DoorTrackConfig& config)
 {
 	if (!isPassable(verdictOf(track.belief))) return std::nullopt;
+	if (!track.visited && track.floor_missing > track.floor_seen) return Verdict::drop;
 	if (isFlat(track, config)) return Verdict::unknown;
 	if (!look.occupancy) return std::nullopt;
 	return objectionTo(track.place, clearWidthOf(track.belief), look.occupancy, robot, config.map_check);
@@ -146,7 +156,8 @@ void objectToTracks(DoorTracks& tracks, const DoorLook& look, const Now& now, co
 	{
 		if (track.existence.last_look.t_s != now.from.t_s) continue;
 		if (look.reveal) track.reveal += look.reveal(track.place);
-		if (track.reveal.rows > kFullMemory) track.reveal = {track.reveal.rows / 2, track.reveal.depth_m / 2};
+		if (track.reveal.flat + track.reveal.thick > kFullMemory)
+			track.reveal = {track.reveal.flat / 2, track.reveal.thick / 2};
 		track.objection = objectionTo(track, look, robot, config);
 	}
 }
@@ -166,9 +177,9 @@ void describe(FieldVisitor& fields, DoorTrackConfig& config)
 	fields.real("through_doubt", config.through_doubt, {0.0, 1.0}, "",
 	            "How much less a missing report tells where rays go through the opening.");
 	fields.integer("flat_rows", config.flat_rows, {1, 1000}, "",
-	               "Rows of pixels in which the wall's face inside an opening was looked for before it is missed.");
-	fields.real("flat_depth", config.flat_depth_m, {0.0, 0.2}, "m",
-	            "An opening in a wall that is thinner than this is a mirror, until the robot went through; 0 = never.");
+	               "Rows of pixels in which the wall beside an opening has no inner face, for a mirror ...");
+	fields.real("flat_share", config.flat_share, {0.0, 1.0}, "",
+	            "... and their share of all rows that tell, until the robot went through; 0 = no mirrors.");
 	fields.real("forget_time", config.forget_s, {0.1, 1e6}, "s",
 	            "An unconfirmed track without a report is forgotten after this time ...");
 	fields.real("forget_way", config.forget_m, {0.1, 1e6}, "m", "... or this much way.");

@@ -20,10 +20,10 @@ struct DoorTrackConfig
 	double fading = 0.8;              ///< what remains of a verdict's weight after another look of full weight
 	double detect_probability = 0.8;  ///< of a door in plain view, near and frontal
 	double through_doubt = 0.5;       ///< how much less a miss tells where rays go through the opening
-	/** An opening is a mirror when the wall's inner face was looked for in so many rows of pixels and, on average, ends
-	 *  so soon behind its outer face; 0 m = never. */
-	int flat_rows = 12;
-	double flat_depth_m = 0.025;
+	/** An opening is a mirror when the wall beside it had no inner face in so many rows of pixels, and in so many of
+	 *  those that tell. */
+	int flat_rows = 8;
+	double flat_share = 0.6;
 	double forget_s = 60, forget_m = 5;  ///< an unconfirmed track is kept for so long, or so much way, without a report
 	int max_tracks = 500;                ///< beyond, the least sure are forgotten
 };

@@ -57,18 +57,21 @@ void describe(FieldVisitor& fields, MemoryConfig& config)
 	fields.flag("tracks", config.tracks, "of doors and corridors; false: the map alone");
 	describe(fields, config.map);
 	describe(fields, config.layers);
+	describe(fields, config.frontiers);
 	describe(fields, config.doors);
 	describe(fields, config.corridors);
 }
 
 FrontierMemory::FrontierMemory(const MemoryConfig& config, const RobotConfig& robot)
-    : map(config.map), layers(config.layers, robot, config.map.resolution_m)
+    : map(config.map), layers(config.layers, robot, config.map.resolution_m), frontiers(config.frontiers)
 {
 }
 
 FrontierMemory::FrontierMemory(const MemoryConfig& config, const RobotConfig& robot,
                                std::unique_ptr<octomap::OcTree> old_map)
-    : map(config.map, std::move(old_map)), layers(config.layers, robot, config.map.resolution_m)
+    : map(config.map, std::move(old_map)),
+      layers(config.layers, robot, config.map.resolution_m),
+      frontiers(config.frontiers)
 {
 	layers.rebuild(map.tree());
 	frontiers.update(layers);

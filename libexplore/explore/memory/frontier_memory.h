@@ -19,10 +19,11 @@ struct MemoryConfig
 	bool tracks = true;   ///< of doors and corridors; false: the map alone
 	OccupancyConfig map;
 	BodyLayersConfig layers;
+	FrontierConfig frontiers;
 	DoorTrackConfig doors;
 	CorridorTrackConfig corridors;
 };
-/** [memory] [map] [layers] [door_tracks] [corridor_tracks] */
+/** [memory] [map] [layers] [frontiers] [door_tracks] [corridor_tracks] */
 void describe(FieldVisitor& fields, MemoryConfig& config);
 
 struct FrontierMemory

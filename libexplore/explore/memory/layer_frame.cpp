@@ -1,9 +1,16 @@
 #include <explore/memory/layer_frame.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace explore
 {
+int LayerFrame::nearestLayer(double z_m) const
+{
+	const auto nearer = [&](double a, double b) { return std::abs(a - z_m) < std::abs(b - z_m); };
+	return static_cast<int>(std::min_element(altitudes_m.begin(), altitudes_m.end(), nearer) - altitudes_m.begin());
+}
+
 LayerCell LayerFrame::cellOf(std::size_t index) const
 {
 	const std::size_t row = index / static_cast<std::size_t>(columns);

@@ -24,6 +24,8 @@ struct LayerFrame
 	int columns = 0, rows = 0;
 	std::vector<double> altitudes_m;  ///< z in the map of each layer, lowest first
 
+	/** The layer with the altitude nearest to `z_m`. */
+	[[nodiscard]] int nearestLayer(double z_m) const;
 	[[nodiscard]] int layers() const { return static_cast<int>(altitudes_m.size()); }
 	[[nodiscard]] std::size_t size() const { return altitudes_m.size() * cellsInLayer(); }
 	[[nodiscard]] std::size_t cellsInLayer() const

@@ -9,6 +9,8 @@ namespace explore
 namespace
 {
 constexpr double kHere_m = 0.25;
+/** A corridor goes on beyond where it was seen; one with a wall on one side alone is so wide. */
+constexpr double kBeyondEnd_m = 3.0, kUsualWidth_m = 2.0;
 /** A way passes a door that it crosses the wall at, this far from the opening's middle beyond half its width. */
 constexpr double kBesideDoor_m = 0.1;
 
@@ -33,8 +35,7 @@ std::optional<int> doorOnWay(const std::vector<Eigen::Vector2d>& way, const Fron
 	return std::nullopt;
 }
 
-std::optional<int> corridorAt(const Eigen::Vector2d& point, const FrontierMemory& memory,
-                              const CorridorTrackConfig& config)
+std::optional<int> corridorAt(const Eigen::Vector2d& point, const FrontierMemory& memory)
 {
 	for (const CorridorTrack& track : memory.corridors.tracks)
 	{
@@ -42,9 +43,8 @@ std::optional<int> corridorAt(const Eigen::Vector2d& point, const FrontierMemory
 		const Eigen::Vector2d off = point - track.point_in_map;
 		const Eigen::Vector2d across(-track.direction().y(), track.direction().x());
 		const double along_m = track.direction().dot(off);
-		const bool inside = along_m > track.from_m - config.max_gap_m && along_m < track.to_m + config.max_gap_m;
-		if (inside && std::abs(across.dot(off)) <= 0.5 * track.width_m.value_or(config.usual_width_m))
-			return track.number;
+		const bool inside = along_m > track.from_m - kBeyondEnd_m && along_m < track.to_m + kBeyondEnd_m;
+		if (inside && std::abs(across.dot(off)) <= 0.5 * track.width_m.value_or(kUsualWidth_m)) return track.number;
 	}
 	return std::nullopt;
 }
@@ -58,7 +58,7 @@ GoalName nameOf(const LookTarget& target, const std::vector<CellIndex>& way, con
 	for (const CellIndex cell : way) points.emplace_back(map.middleOf(cell).head<2>());
 	points.emplace_back(target.frontier_in_map.head<2>());
 	if (const auto door = doorOnWay(points, memory, robot)) return {GoalKind::door, door};
-	if (const auto corridor = corridorAt(target.frontier_in_map.head<2>(), memory, CorridorTrackConfig{}))
+	if (const auto corridor = corridorAt(target.frontier_in_map.head<2>(), memory))
 		return {GoalKind::corridor, corridor};
 	if (target.travel_m <= kHere_m) return {GoalKind::look, std::nullopt};
 	return {GoalKind::frontier, std::nullopt};

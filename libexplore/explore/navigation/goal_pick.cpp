@@ -39,11 +39,13 @@ TourCosts costsBetween(const PickInput& input, const std::vector<std::size_t>& p
                        const PlanConfig& config)
 {
 	TourCosts costs;
+	std::vector<CellIndex> ends{input.home};
+	for (const std::size_t i : places) ends.push_back(input.targets[i].look.cell);
 	for (const std::size_t i : places)
 	{
 		const LookTarget& from = input.targets[i];
 		costs.from_robot.push_back(from.travel_m + turnCost(input.yaw_rad, from.look.yaw_rad, config));
-		const TravelField field = travelFrom(input.map, from.look.cell, robot, config);
+		const TravelField field = travelBetween(input.map, from.look.cell, ends, robot, config);
 		std::vector<double> row;
 		for (const std::size_t j : places)
 		{

@@ -60,18 +60,19 @@ bool isNearDrop(const PlanMap& map, CellIndex cell)
 	return false;
 }
 
-LeftOverReason reasonOf(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
-                        const AllowedArea& area, const FrontierCluster& cluster, CellIndex unknown)
+/** No value: it was not yet looked at. */
+std::optional<LeftOverReason> reasonOf(const LeftOverInput& input, const FrontierCluster& cluster, CellIndex unknown)
 {
+	const PlanMap& map = input.map;
 	const Eigen::Vector2d at = map.middleOf(unknown).head<2>();
-	if (!area.inBounds(at)) return LeftOverReason::outside_bounds;
-	if (area.isKeptOut(at)) return LeftOverReason::kept_out;
+	if (!input.area.inBounds(at)) return LeftOverReason::outside_bounds;
+	if (input.area.isKeptOut(at)) return LeftOverReason::kept_out;
 	if (isNearDrop(map, unknown)) return LeftOverReason::drop;
-	if (const auto door = reasonOfDoor(memory, at)) return *door;
-	if (map.wanted[unknown] != 0) return LeftOverReason::sealed;
+	if (const auto door = reasonOfDoor(input.memory, at)) return *door;
+	if (map.wanted[unknown] != 0) return input.looked_at_all ? std::optional(LeftOverReason::sealed) : std::nullopt;
 	const bool seen_across =
 	    std::none_of(cluster.cells.begin(), cluster.cells.end(),
-	                 [&](std::size_t cell) { return field.reaches(static_cast<CellIndex>(cell)); });
+	                 [&](std::size_t cell) { return input.field.reaches(static_cast<CellIndex>(cell)); });
 	const bool roomy = map.obstacle_m[unknown] >= map.fit_m;
 	return seen_across && roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
 }
@@ -97,16 +98,18 @@ std::string_view nameOf(LeftOverReason reason)
 	return kNames.at(static_cast<std::size_t>(reason));
 }
 
-std::vector<LeftOver> leftOver(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
-                               const AllowedArea& area)
+std::vector<LeftOver> leftOver(const LeftOverInput& input)
 {
 	std::vector<LeftOver> all;
+	const PlanMap& map = input.map;
 	std::vector<std::uint8_t> counted(map.cells.size(), 0);  // neighbouring clusters share some
 	const double cell_m2 = map.frame.resolution_m * map.frame.resolution_m;
-	for (const FrontierCluster& cluster : memory.frontiers.clusters())
+	for (const FrontierCluster& cluster : input.memory.frontiers.clusters())
 		for (const CellIndex cell : unknownBeside(map, cluster))
-			if (std::exchange(counted[cell], std::uint8_t{1}) == 0)
-				join(all, {map.middleOf(cell), cell_m2, reasonOf(map, memory, field, area, cluster, cell)});
+		{
+			if (std::exchange(counted[cell], std::uint8_t{1}) != 0) continue;
+			if (const auto why = reasonOf(input, cluster, cell)) join(all, {map.middleOf(cell), cell_m2, *why});
+		}
 	return all;
 }
 }  // namespace explore

@@ -12,13 +12,13 @@ namespace explore
 {
 enum class LeftOverReason
 {
-	sealed,          ///< looked at, and nothing came of it: no ray gets in
-	too_narrow,      ///< the robot does not fit
-	out_of_reach,    ///< seen across something, without a way there
-	closed_door,     ///< a door stands there that is closed or blocked
-	behind_glass,    ///< an opening from which nothing came back
-	drop,            ///< no floor
-	kept_out,        ///< in a keep-out polygon
+	sealed,        ///< looked at, and nothing came of it: no ray gets in
+	too_narrow,    ///< the robot does not fit
+	out_of_reach,  ///< seen across something, without a way there
+	closed_door,   ///< a door stands there that is closed or blocked
+	behind_glass,  ///< an opening from which nothing came back
+	drop,          ///< no floor
+	kept_out,      ///< in a keep-out polygon
 	outside_bounds,
 };
 [[nodiscard]] std::string_view nameOf(LeftOverReason reason);
@@ -30,7 +30,15 @@ struct LeftOver
 	LeftOverReason why = LeftOverReason::sealed;
 };
 
+struct LeftOverInput
+{
+	const PlanMap& map;
+	const FrontierMemory& memory;
+	const TravelField& field;  ///< from the robot
+	const AllowedArea& area;
+	bool looked_at_all = true;  ///< what is still wanted was looked at, as often as it is worth; else it has no reason
+};
+
 /** The account: every frontier with its reason; neighbours with the same reason are one. */
-std::vector<LeftOver> leftOver(const PlanMap& map, const FrontierMemory& memory, const TravelField& field,
-                               const AllowedArea& area);
+std::vector<LeftOver> leftOver(const LeftOverInput& input);
 }  // namespace explore

@@ -11,13 +11,6 @@ namespace
 /** Unknown space that the body touches all but: it stands there, and gets away from it as it moves. */
 constexpr double kTouch_cells = 2.5;
 
-int nearestLayer(const LayerFrame& frame, double z_m)
-{
-	const auto nearer = [&](double a, double b) { return std::abs(a - z_m) < std::abs(b - z_m); };
-	return static_cast<int>(std::min_element(frame.altitudes_m.begin(), frame.altitudes_m.end(), nearer) -
-	                        frame.altitudes_m.begin());
-}
-
 bool isEdgeOfUnknown(const BodyLayers& layers, const LayerCell& cell)
 {
 	static constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -43,7 +36,7 @@ PointCloud mapObstacles(const BodyLayers& layers, const Eigen::Isometry3d& map_f
 	PointCloud points;
 	const LayerFrame& frame = layers.frame();
 	const Eigen::Vector3d at = map_from_robot.translation();
-	const LayerCell middle = frame.cellAt(at.head<2>(), nearestLayer(frame, at.z()));
+	const LayerCell middle = frame.cellAt(at.head<2>(), frame.nearestLayer(at.z()));
 	const int reach = static_cast<int>(std::ceil(range_m / frame.resolution_m));
 	const double z_m = robot.kind == RobotKind::ground ? at.z() + 0.5 * robot.height_m : at.z();
 	const Eigen::Isometry3d robot_from_map = map_from_robot.inverse();

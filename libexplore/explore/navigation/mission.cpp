@@ -104,7 +104,8 @@ bool isReached(const MissionGoal& goal, const MissionNow& now, const PlanConfig&
 bool isWorthKeeping(const MissionGoal& goal, const Plan& plan, const PlanConfig& config)
 {
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
-	if (!plan.field.reaches(cell) || plan.map.passable[cell] == 0) return false;
+	const bool stands_there = cell == plan.field.start;
+	if (!plan.field.reaches(cell) || (plan.map.passable[cell] == 0 && !stands_there)) return false;
 	return lookGain(plan.map, {cell, goal.yaw_rad}, config) >= config.min_gain_m2;
 }
 
@@ -148,13 +149,35 @@ MissionGoal goalFor(const LookTarget& target, const Plan& plan, const FrontierMe
 	return goal;
 }
 
-MissionGoal goalHome(const Mission& mission, const MissionNow& now)
+/** Cost of the way home [m]; 0 where none is known. */
+double pathHome(const Plan& plan)
+{
+	return plan.field.reaches(plan.home) ? plan.field.costTo(plan.home) : 0.0;
+}
+
+/** Home, or the place nearest to it that the robot can get to. */
+Eigen::Vector3d placeNearHome(const Mission& mission, const Plan& plan)
+{
+	const Eigen::Vector3d home = placeOf(*mission.map_from_home);
+	if (plan.field.reaches(plan.home)) return home;
+	CellIndex nearest = plan.start;
+	const auto away = [&](CellIndex cell) { return (plan.map.middleOf(cell) - home).squaredNorm(); };
+	for (CellIndex cell = 0; cell < plan.map.cells.size(); ++cell)
+		if (plan.map.passable[cell] != 0 && plan.field.reaches(cell) && away(cell) < away(nearest)) nearest = cell;
+	return plan.map.middleOf(nearest);
+}
+
+/** The way home, as it is now; how long it may take counts from when the robot first set out. */
+MissionGoal goalHome(const Mission& mission, const Plan& plan, const MissionNow& now, const RobotConfig& robot)
 {
 	MissionGoal goal;
 	goal.kind = GoalKind::home;
-	goal.stand_in_map = goal.frontier_in_map = placeOf(*mission.map_from_home);
+	goal.stand_in_map = goal.frontier_in_map = placeNearHome(mission, plan);
 	goal.yaw_rad = yawOf(*mission.map_from_home);
-	goal.chosen_at_s = now.t_s;
+	const bool on_its_way = mission.goal && mission.goal->kind == GoalKind::home;
+	goal.chosen_at_s = on_its_way ? mission.goal->chosen_at_s : now.t_s;
+	goal.patience_s =
+	    on_its_way ? mission.goal->patience_s : kPatience_s + kPatience * pathHome(plan) / robot.max_speed_mps;
 	return goal;
 }
 
@@ -165,8 +188,7 @@ void chooseTarget(Mission& mission, Plan& plan, const FrontierMemory& memory, co
 	PickInput input{plan.map, plan.field, plan.targets, yawOf(now.map_from_robot), plan.home, std::nullopt};
 	if (mission.goal)
 	{
-		std::erase_if(plan.targets,
-		              [&](const LookTarget& target)
+		std::erase_if(plan.targets, [&](const LookTarget& target)
 		              { return (target.frontier_in_map - mission.goal->frontier_in_map).norm() < kSameGoal_m; });
 		plan.targets.push_back(asTarget(*mission.goal, plan));
 		input.current = plan.targets.size() - 1;
@@ -186,8 +208,7 @@ void chooseTarget(Mission& mission, Plan& plan, const FrontierMemory& memory, co
 MissionEnd budgetSpent(const Mission& mission, const Plan& plan, const MissionNow& now, const RobotConfig& robot,
                        const MissionConfig& config)
 {
-	const double home_m = plan.field.reaches(plan.home) ? plan.field.costTo(plan.home) : 0.0;
-	const double needed_m = home_m * (1.0 + config.budget.reserve);
+	const double needed_m = pathHome(plan) * (1.0 + config.budget.reserve);
 	const double needed_s = 2.0 * needed_m / robot.max_speed_mps;
 	if (config.budget.time_s > 0.0 && now.t_s - mission.started_at_s + needed_s >= config.budget.time_s)
 		return MissionEnd::time_budget;
@@ -195,11 +216,11 @@ MissionEnd budgetSpent(const Mission& mission, const Plan& plan, const MissionNo
 	return MissionEnd::none;
 }
 
-void goHome(Mission& mission, MissionEnd why, const MissionNow& now)
+void goHome(Mission& mission, MissionEnd why, const Plan& plan, const MissionNow& now, const RobotConfig& robot)
 {
 	mission.phase = MissionPhase::go_home;
 	mission.end = why;
-	if (!mission.goal || mission.goal->kind != GoalKind::home) mission.goal = goalHome(mission, now);
+	mission.goal = goalHome(mission, plan, now, robot);
 }
 
 bool overBudget(const Mission& mission)
@@ -223,9 +244,9 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	const MissionEnd spent = overBudget(mission) ? mission.end : budgetSpent(mission, plan, now, robot, config);
 	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
 	if (spent != MissionEnd::none)
-		goHome(mission, spent, now);
+		goHome(mission, spent, plan, now, robot);
 	else if (plan.targets.empty() && !looking)
-		goHome(mission, MissionEnd::nothing_left, now);
+		goHome(mission, MissionEnd::nothing_left, plan, now, robot);
 	else
 	{
 		if (mission.phase == MissionPhase::go_home) mission.goal.reset();
@@ -233,7 +254,8 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		mission.end = MissionEnd::none;
 		chooseTarget(mission, plan, memory, now, robot, config);
 	}
-	if (mission.phase == MissionPhase::go_home) mission.left_over = leftOver(plan.map, memory, plan.field, plan.area);
+	if (mission.phase == MissionPhase::go_home)
+		mission.left_over = leftOver({plan.map, memory, plan.field, plan.area, !overBudget(mission)});
 	mission.way_in_map = shortenedWay(plan.map, plan.field, plan.map.cellOf(mission.goal->stand_in_map), config.plan);
 	if (!mission.way_in_map.empty()) mission.way_in_map.back() = mission.goal->stand_in_map;
 }
@@ -264,7 +286,8 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	mission.goal_lost = false;
 	if (mission.phase == MissionPhase::done) return;
 	bool plans = now.t_s - mission.planned_at_s >= config.plan.period_s || !mission.goal;
-	if (mission.goal && isReached(*mission.goal, now, config.plan))
+	const bool reached = mission.goal && isReached(*mission.goal, now, config.plan);
+	if (reached || (mission.goal && now.t_s - mission.goal->chosen_at_s > mission.goal->patience_s))
 	{
 		if (mission.goal->kind == GoalKind::home)
 		{
@@ -272,14 +295,8 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 			return;
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);
+		if (!reached) leave(mission, now.t_s);
 		mission.goal.reset();
-		plans = true;
-	}
-	else if (mission.goal && mission.goal->patience_s > 0.0 &&
-	         now.t_s - mission.goal->chosen_at_s > mission.goal->patience_s)
-	{
-		addTry(mission, *mission.goal, mission.goal->gain_m2);
-		leave(mission, now.t_s);
 		plans = true;
 	}
 	if (plans) replan(mission, memory, now, robot, config);

@@ -20,7 +20,7 @@ struct PlanConfig
 	double arrive_m = 0.15;                ///< a goal is reached within this
 	double home_m = 0.05;                  ///< home is reached within this
 	double switch_gain_m = 1.5;            ///< a better tour must be this much shorter before the goal is changed
-	double period_s = 0.5;                 ///< between plans while nothing forces one
+	double period_s = 1.0;                 ///< between plans while nothing forces one
 };
 /** [plan] */
 void describe(FieldVisitor& fields, PlanConfig& config);

@@ -170,10 +170,7 @@ CellIndex PlanMap::cellOf(const Eigen::Vector3d& point_in_map) const
 {
 	const Eigen::Array2i at =
 	    ((point_in_map.head<2>() - frame.corner_in_map) / frame.resolution_m).array().floor().cast<int>();
-	const auto nearer = [&](double a, double b)
-	{ return std::abs(a - point_in_map.z()) < std::abs(b - point_in_map.z()); };
-	const auto layer = std::min_element(frame.altitudes_m.begin(), frame.altitudes_m.end(), nearer);
-	const Eigen::Array3i place(at.x(), at.y(), static_cast<int>(layer - frame.altitudes_m.begin()));
+	const Eigen::Array3i place(at.x(), at.y(), frame.nearestLayer(point_in_map.z()));
 	return contains(place) ? cellAt(place) : kNoCell;
 }
 

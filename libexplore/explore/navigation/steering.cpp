@@ -14,8 +14,6 @@ namespace
 constexpr double kAhead_m = 0.5;
 /** It turns on the spot from the one on, until the other. */
 constexpr double kTurnFrom_rad = 0.6, kTurnUntil_rad = 0.15;
-/** At the way's end it is turned when it is within this. */
-constexpr double kFaced_rad = 0.08;
 constexpr double kTurnTime_s = 0.5;
 /** Blocked for so long, it backs off so far, so fast; the spot ahead is avoided for a while. */
 constexpr double kPatience_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
@@ -84,7 +82,7 @@ bool isFreeBehind(const BodyLayers& layers, const MissionNow& now, const RobotCo
 		for (double across = -robot.radius_m; across <= robot.radius_m; across += 0.5 * frame.resolution_m)
 		{
 			const Eigen::Vector2d point = at.head<2>() + along * back + across * side;
-			const LayerCell cell = frame.cellAt(point, 0);
+			const LayerCell cell = frame.cellAt(point, frame.nearestLayer(at.z()));
 			if (layers.stateOf(cell) != CellState::free) return false;
 		}
 	return true;
@@ -162,11 +160,9 @@ SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& m
 	const double away_m = (robot_from_map * mission.goal->stand_in_map).head<2>().norm();
 	const bool there = away_m < (mission.goal->kind == GoalKind::home ? 0.04 : 0.10) || mission.way_in_map.empty();
 	const Eigen::Vector3d facing(std::cos(mission.goal->yaw_rad), std::sin(mission.goal->yaw_rad), 0.0);
-	const Eigen::Vector3d toward =
-	    there ? robot_from_map.linear() * facing : robot_from_map * aim.point_in_map;
+	const Eigen::Vector3d toward = there ? robot_from_map.linear() * facing : robot_from_map * aim.point_in_map;
 	goal.desired_rad = azimuthOf(toward);
-	goal.turns = there ? std::abs(goal.desired_rad) > kFaced_rad : turns(steering, goal.desired_rad, kTurnUntil_rad);
-	if (there) goal.turns = true;
+	goal.turns = there || turns(steering, goal.desired_rad, kTurnUntil_rad);
 	if (robot.kind == RobotKind::mav && !there)
 		goal.desired_elevation_rad = std::atan2(toward.z(), std::max(0.2, toward.head<2>().norm()));
 	return goal;
@@ -193,7 +189,9 @@ Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const Rob
 void noteDecision(Steering& steering, const Decision& decision, double t_s)
 {
 	steering.driving = decision.command.velocity_mps.x() > 0.0;
-	if (!decision.stop)
+	const bool no_way =
+	    decision.stop_reason == StopReason::path_too_short || decision.stop_reason == StopReason::no_direction;
+	if (!no_way)
 		steering.blocked_since_s.reset();
 	else if (!steering.blocked_since_s)
 		steering.blocked_since_s = t_s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace explore
 {
@@ -103,6 +104,28 @@ private:
 	std::size_t m_count = 0;
 };
 
+/** The cells whose costs are still asked for. */
+class Ends
+{
+public:
+	explicit Ends(std::vector<CellIndex> cells) : m_cells(std::move(cells))
+	{
+		std::sort(m_cells.begin(), m_cells.end());
+		m_cells.erase(std::unique(m_cells.begin(), m_cells.end()), m_cells.end());
+	}
+	/** Whether `cell` was the last of them; each comes once. */
+	bool lastOne(CellIndex cell)
+	{
+		const auto found = std::lower_bound(m_cells.begin(), m_cells.end(), cell);
+		if (found == m_cells.end() || *found != cell) return false;
+		m_cells.erase(found);
+		return m_cells.empty();
+	}
+
+private:
+	std::vector<CellIndex> m_cells;
+};
+
 std::uint32_t dearestStep(const std::vector<Step>& steps, const PlanConfig& config)
 {
 	std::uint32_t dearest = 0;
@@ -123,6 +146,12 @@ std::vector<CellIndex> TravelField::wayTo(CellIndex cell) const
 
 TravelField travelFrom(const PlanMap& map, CellIndex start, const RobotConfig& robot, const PlanConfig& config)
 {
+	return travelBetween(map, start, {}, robot, config);
+}
+
+TravelField travelBetween(const PlanMap& map, CellIndex start, const std::vector<CellIndex>& ends,
+                          const RobotConfig& robot, const PlanConfig& config)
+{
 	TravelField field;
 	field.cost_per_m = kStep / map.frame.resolution_m;
 	field.cost.assign(map.cells.size(), kUnreached);
@@ -131,6 +160,7 @@ TravelField travelFrom(const PlanMap& map, CellIndex start, const RobotConfig& r
 	const std::vector<Step> steps = stepsOf(map.frame);
 	const CellWeights weights(map, start, robot, config);
 	BucketQueue queue(dearestStep(steps, config));
+	Ends open_ends(ends);
 	field.start = start;
 	field.cost[start] = 0;
 	field.from[start] = start;
@@ -139,6 +169,7 @@ TravelField travelFrom(const PlanMap& map, CellIndex start, const RobotConfig& r
 	{
 		const auto [cell, cost] = queue.pop();
 		if (cost > field.cost[cell]) continue;
+		if (open_ends.lastOne(cell)) break;
 		const Eigen::Array3i place = map.placeOf(cell);
 		for (const Step& step : steps)
 		{

@@ -32,6 +32,9 @@ struct TravelField
  * allowed to go may leave: free cells within its radius of the start count as passable, at a high cost; so do spots
  *  where it was stopped lately. */
 TravelField travelFrom(const PlanMap& map, CellIndex start, const RobotConfig& robot, const PlanConfig& config);
+/** The same, but only until the costs of `ends` are known; others may be left unreached, or too dear. */
+TravelField travelBetween(const PlanMap& map, CellIndex start, const std::vector<CellIndex>& ends,
+                          const RobotConfig& robot, const PlanConfig& config);
 
 /** The corners [m, map frame] of the way from the field's start to `cell`, shortened where the straight way is free and
  *  keeps as far from obstacles as the way that it replaces, or by the comfortable distance. Empty where no way leads. */

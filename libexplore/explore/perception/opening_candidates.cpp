@@ -78,9 +78,12 @@ std::optional<OpeningFrame> frameAt(const RayJudge& judge, const UprightWall& wa
 		frame.left.along_m -= hiddenBySurface(judge, wall, frame.left, JambSide::left);
 		frame.right.along_m += hiddenBySurface(judge, wall, frame.right, JambSide::right);
 	}
+	// What is taken off at the ends may be more than there is between them.
+	if (frame.width_m() < config.verdict.min_report_m) return std::nullopt;
 	const double range_m = std::max(wall.at(frame.left.along_m).norm(), wall.at(frame.right.along_m).norm());
 	if (range_m > config.verdict.max_range_m) return std::nullopt;
-	return config.jambs.full_resolution ? withFarJambFromFace(judge, frame, body) : frame;
+	if (config.jambs.full_resolution) frame = withFarJambFromFace(judge, frame, body);
+	return frame.width_m() < config.verdict.min_report_m ? std::nullopt : std::optional(frame);
 }
 
 OpeningContext contextOf(const OpeningFrame& frame, const UprightWall& wall, const WallProfile& profile,

@@ -58,14 +58,14 @@ AvoiderInput avoiderInput(const DepthFrame& frame, const SightLines* sight, cons
 	return input;
 }
 
-StopReason reasonToStop(const DepthFrame& frame, const Percepts& percepts, const ExplorerState& state,
-                        const ExplorerConfig& config)
+StopReason reasonToStop(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
+                        const ExplorerState& state, const ExplorerConfig& config)
 {
 	if (percepts.near_field.valid_pixels < static_cast<std::size_t>(config.heading.min_valid_pixels))
 		return StopReason::empty_frame;
 	if (state.last_timestamp && frame.timestamp <= *state.last_timestamp) return StopReason::stale_frame;
 	// The map remembers what slipped under the sensor's range.
-	if (!state.memory && obstacleLost(state.guard)) return StopReason::near_obstacle_lost;
+	if (memory == nullptr && obstacleLost(state.guard)) return StopReason::near_obstacle_lost;
 	return StopReason::none;
 }
 
@@ -75,7 +75,7 @@ Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason f
 {
 	if (intent.finished) forbidden = StopReason::finished;
 	const bool manoeuvres = intent.steering.turns || intent.steering.backs_off;
-	if (manoeuvres && forbidden != StopReason::finished && forbidden != StopReason::stale_frame)
+	if (manoeuvres && (forbidden == StopReason::none || forbidden == StopReason::empty_frame))
 		return manoeuvre(intent.choice, intent.steering, config.robot);
 	return decide(intent.choice, avoidance, forbidden, speed_mps, config.robot, config.heading);
 }
@@ -112,14 +112,14 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 
 	const SightLines sight = sightLines(frame);
 	const PointCloud obstacles = obstaclesAround(frame, result.percepts, memory, config);
-	const Avoidance avoidance = avoid(avoiderInput(frame, memory == nullptr ? &sight : nullptr, obstacles,
-	                                               result.percepts, intent, config.robot),
-	                                  config.robot, config.avoider);  // line 28: θ_a
+	const Avoidance avoidance = avoid(
+	    avoiderInput(frame, memory == nullptr ? &sight : nullptr, obstacles, result.percepts, intent, config.robot),
+	    config.robot, config.avoider);  // line 28: θ_a
 	done("avoid");
 
 	state.guard = updateGuard(state.guard, result.percepts.near_field, config.perception.near_field.sensor_min_range_m,
 	                          config.near_field_guard);
-	result.decision = decideOn(intent, avoidance, reasonToStop(frame, result.percepts, state, config),
+	result.decision = decideOn(intent, avoidance, reasonToStop(frame, result.percepts, memory, state, config),
 	                           speedNow(frame, state, config.heading), config);
 	noteDecision(state.steering, result.decision, mrpt::Clock::toDouble(frame.timestamp));
 	done("heading");

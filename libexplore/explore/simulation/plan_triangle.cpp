@@ -18,7 +18,8 @@ PlanTriangle::PlanTriangle(const Triangle& triangle)
 {
 	for (std::size_t i = 0; i < 3; ++i)
 	{
-		const Eigen::Vector3d from = triangle[i], along = triangle[(i + 1) % 3] - from;
+		const Eigen::Vector3d& from = triangle[i];
+		const Eigen::Vector3d along = triangle[(i + 1) % 3] - from;
 		m_edges[i] = {from.head<2>(), along.head<2>(), from.z(), along.z(), along.head<2>().squaredNorm()};
 	}
 	const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);

@@ -30,7 +30,7 @@ private:
 	struct Edge
 	{
 		Eigen::Vector2d from, along;
-		double from_z, along_z, length2;
+		double from_z = 0, along_z = 0, length2 = 0;
 	};
 	/** The ends of the edge's part within the circle. */
 	template <class Add>

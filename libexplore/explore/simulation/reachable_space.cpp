@@ -19,8 +19,7 @@ constexpr double kSpare_m = 0.05, kBumps_m = 0.10, kFloorStep_m = 0.05;
 class Search
 {
 public:
-	Search(const World& world, const RobotConfig& robot, const Eigen::Vector3d& start,
-	       const Eigen::AlignedBox2d& bounds);
+	Search(const World& world, const RobotConfig& robot, Eigen::Vector3d start, const Eigen::AlignedBox2d& bounds);
 	TruthReach run();
 
 private:
@@ -46,9 +45,8 @@ private:
 	std::vector<CellBytes> m_blocked;  ///< one a level
 };
 
-Search::Search(const World& world, const RobotConfig& robot, const Eigen::Vector3d& start,
-               const Eigen::AlignedBox2d& bounds)
-    : m_world(world), m_robot(robot), m_start(start)
+Search::Search(const World& world, const RobotConfig& robot, Eigen::Vector3d start, const Eigen::AlignedBox2d& bounds)
+    : m_world(world), m_robot(robot), m_start(std::move(start))
 {
 	if (bounds.isEmpty()) return;
 	// The cells whose middle is inside.

@@ -2,6 +2,8 @@
 #include <explore/sinks/summary.h>
 #include <mrpt/core/format.h>
 
+#include <algorithm>
+
 namespace explore
 {
 namespace
@@ -23,15 +25,52 @@ Json sourceJson(const InputSummary& input, std::size_t frames)
 	        {"identity_mount", input.identity_mount}};
 }
 
+Json doorsJson(const std::vector<DoorSummary>& doors)
+{
+	Json list = Json::array();
+	for (const DoorSummary& door : doors)
+		list.push_back({{"track", door.track},
+		                {"center_in_map", jsonVector(door.center_in_map)},
+		                {"width", jsonNumber(door.width_m)},
+		                {"height", jsonOrNull(door.height_m)},
+		                {"verdict", nameOf(door.verdict)},
+		                {"confidence", jsonNumber(door.confidence)},
+		                {"seen", door.seen},
+		                {"visited", door.visited}});
+	return list;
+}
+
+Json corridorsJson(const std::vector<CorridorSummary>& corridors)
+{
+	Json list = Json::array();
+	for (const CorridorSummary& corridor : corridors)
+		list.push_back({{"track", corridor.track},
+		                {"point_in_map", jsonVector(corridor.point_in_map)},
+		                {"direction_in_map", jsonVector(corridor.direction_in_map)},
+		                {"seen", corridor.seen}});
+	return list;
+}
+
+Json leftOverJson(const std::vector<LeftOver>& left_over)
+{
+	Json list = Json::array();
+	for (const LeftOver& left : left_over)
+		list.push_back({{"center_in_map", jsonVector(left.center_in_map)},
+		                {"area_m2", jsonNumber(left.area_m2)},
+		                {"why", nameOf(left.why)}});
+	return list;
+}
+
 Json explorationJson(const RunSummary& summary)
 {
-	return {{"complete", false},
+	const ExplorationSummary& exploration = summary.exploration;
+	return {{"complete", exploration.complete},
 	        {"reason", summary.reason},
-	        {"known_free_m2", nullptr},
+	        {"known_free_m2", jsonOrNull(exploration.known_free_m2)},
 	        {"path_m", jsonOrNull(summary.tally.path_m())},
 	        {"time_s", jsonOrNull(summary.tally.time_s())},
-	        {"home_error_m", nullptr},
-	        {"left_over", Json::array()}};
+	        {"home_error_m", jsonOrNull(exploration.home_error_m)},
+	        {"left_over", leftOverJson(exploration.left_over)}};
 }
 
 Json truthJson(const TruthSummary& truth)
@@ -55,6 +94,19 @@ std::string pathText(const RunTally& tally)
 	const double time_s = tally.time_s().value_or(0.0);
 	if (!tally.path_m()) return mrpt::format("%.1f s, no pose in the input", time_s);
 	return mrpt::format("%.1f m in %.1f s", *tally.path_m(), time_s);
+}
+
+/** What is known of the building, where there is a memory. */
+std::string knownText(const ExplorationSummary& exploration)
+{
+	if (!exploration.known_free_m2) return "";
+	const auto visited = std::count_if(exploration.doors.begin(), exploration.doors.end(),
+	                                   [](const DoorSummary& door) { return door.visited; });
+	std::string text = mrpt::format("  %.1f m2 of free floor, %zu doors (%d driven through), %zu corridors",
+	                                *exploration.known_free_m2, exploration.doors.size(), static_cast<int>(visited),
+	                                exploration.corridors.size());
+	if (exploration.complete) text += ", nothing left to see";
+	return text + '\n';
 }
 
 std::string truthText(const TruthSummary& truth)
@@ -117,8 +169,8 @@ std::string summaryJson(const RunSummary& summary)
 	    {"frames_with_door", tally.frames_with_door},
 	    {"frames_stopped", tally.frames_stopped},
 	    {"warnings", summary.warnings},
-	    {"doors", Json::array()},
-	    {"corridors", Json::array()},
+	    {"doors", doorsJson(summary.exploration.doors)},
+	    {"corridors", corridorsJson(summary.exploration.corridors)},
 	    {"exploration", explorationJson(summary)},
 	    {"timing_ms", timingJson(summary.timing)},
 	    {"peak_rss_mb", jsonNumber(summary.peak_rss_mb)},
@@ -137,6 +189,7 @@ std::string summaryText(const RunSummary& summary)
 	if (const auto total = summary.timing.find(std::string(kTotalStage)); total != summary.timing.end())
 		text += mrpt::format("  %.1f ms a frame (median; p99 %.1f), %.0f MB\n", total->second.median_ms,
 		                     total->second.p99_ms, summary.peak_rss_mb);
+	text += knownText(summary.exploration);
 	if (summary.truth) text += truthText(*summary.truth);
 	return text + lossText(summary.input);
 }

@@ -3,6 +3,7 @@
 
 #include <explore/core/depth_frame.h>
 #include <explore/pipeline/explorer.h>
+#include <explore/sinks/exploration_summary.h>
 #include <explore/sinks/stage_clock.h>
 
 #include <cstdint>
@@ -73,6 +74,7 @@ struct RunSummary
 	std::string reason;                 ///< why the run ended
 	std::map<std::string, StageStatistics> timing;
 	double peak_rss_mb = 0;
+	ExplorationSummary exploration;
 	std::optional<TruthSummary> truth;  ///< no value: a recording, whose truth nobody knows
 };
 
