@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace explore
 {
@@ -101,10 +102,14 @@ std::vector<LeftOver> leftOver(const LeftOverInput& input)
 {
 	std::vector<LeftOver> all;
 	const PlanMap& map = input.map;
+	std::vector<std::uint8_t> counted(map.cells.size(), 0);  // neighbouring clusters share some
 	const double cell_m2 = map.frame.resolution_m * map.frame.resolution_m;
 	for (const FrontierCluster& cluster : input.memory.frontiers.clusters())
 		for (const CellIndex cell : unknownBeside(map, cluster))
+		{
+			if (std::exchange(counted[cell], std::uint8_t{1}) != 0) continue;
 			if (const auto why = reasonOf(input, cluster, cell)) join(all, {map.middleOf(cell), cell_m2, *why});
+		}
 	return all;
 }
 }  // namespace explore
