@@ -75,7 +75,7 @@ std::vector<Task> tasksOf(const EvalOptions& options)
 Options optionsOf(const Task& task, const EvalOptions& options)
 {
 	Options run;
-	static_cast<ConfigChoices&>(run) = options;
+	static_cast<ConfigChoices&>(run) = static_cast<const ConfigChoices&>(options);
 	run.world = task.world.file;
 	if (!task.world.start.empty()) run.set.push_back("simulator.start=" + task.world.start);
 	run.seed = task.seed;

@@ -28,8 +28,7 @@ std::vector<std::size_t> nearestTargets(const PickInput& input)
 {
 	std::vector<std::size_t> order(input.targets.size());
 	std::iota(order.begin(), order.end(), 0U);
-	const auto key = [&](std::size_t i)
-	{ return input.current == i ? -1.0 : input.targets[i].travel_m; };
+	const auto key = [&](std::size_t i) { return input.current == i ? -1.0 : input.targets[i].travel_m; };
 	std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
 	if (order.size() > kMaxTourPlaces) order.resize(kMaxTourPlaces);
 	return order;
@@ -74,8 +73,9 @@ std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const 
 
 std::size_t nearestTarget(const std::vector<LookTarget>& targets)
 {
-	const auto nearest = std::min_element(targets.begin(), targets.end(), [](const LookTarget& a, const LookTarget& b)
-	                                      { return a.travel_m < b.travel_m; });
+	const auto nearest =
+	    std::min_element(targets.begin(), targets.end(),
+	                     [](const LookTarget& a, const LookTarget& b) { return a.travel_m < b.travel_m; });
 	return static_cast<std::size_t>(nearest - targets.begin());
 }
 }  // namespace explore

@@ -15,8 +15,8 @@ struct PickInput
 	const PlanMap& map;
 	const TravelField& field;  ///< from the robot
 	const std::vector<LookTarget>& targets;
-	double yaw_rad = 0;             ///< of the robot, in the map
-	CellIndex home = kNoCell;       ///< the robot's cell where the map does not have it
+	double yaw_rad = 0;                  ///< of the robot, in the map
+	CellIndex home = kNoCell;            ///< the robot's cell where the map does not have it
 	std::optional<std::size_t> current;  ///< index of the target that the robot goes for now
 };
 

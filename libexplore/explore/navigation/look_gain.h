@@ -14,8 +14,8 @@ struct Look
 	double yaw_rad = 0;
 };
 
-/** Area [m²] of wanted space in the camera's wedge: rays end at the view range, at what stands there, and where they have
- *  passed view_depth_m of unknown space, wanted or not. */
+/** Area [m²] of wanted space in the camera's wedge: rays end at the view range, at what stands there, and where they
+ * have passed view_depth_m of unknown space, wanted or not. */
 double lookGain(const PlanMap& map, const Look& look, const PlanConfig& config);
 
 /** Whether a point in the look's layer is in its wedge and range, with nothing but free space before it. */

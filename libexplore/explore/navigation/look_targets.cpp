@@ -42,8 +42,7 @@ void forEachPlace(const PlanMap& map, const TravelField& field, const WantedFron
 }
 
 /** Whether it can be seen from where the robot is, whether it might stand there or not. */
-bool isNearStart(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
-                 const PlanConfig& config)
+bool isNearStart(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier, const PlanConfig& config)
 {
 	if (field.start == kNoCell) return false;
 	return (map.middleOf(field.start) - frontier.middle_in_map).norm() <= config.view_range_m;
@@ -95,8 +94,7 @@ std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field,
 	forEachPlace(map, field, frontier, kLattice_cells, consider);
 	if (isNearStart(map, field, frontier, config)) consider(field.start);
 	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
-	std::erase_if(targets,
-	              [&](const LookTarget& target)
+	std::erase_if(targets, [&](const LookTarget& target)
 	              { return target.gain_m2 < std::max(kGoodShare * best_gain_m2, config.min_gain_m2); });
 	return *std::min_element(targets.begin(), targets.end(), isCheaper);
 }
@@ -126,8 +124,9 @@ std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTar
 	std::vector<LookTarget> kept;
 	for (const LookTarget& target : targets)
 	{
-		const bool shown = std::any_of(kept.begin(), kept.end(), [&](const LookTarget& other)
-		                               { return sees(map, other.look, target.frontier_in_map, config); });
+		const bool shown =
+		    std::any_of(kept.begin(), kept.end(),
+		                [&](const LookTarget& other) { return sees(map, other.look, target.frontier_in_map, config); });
 		if (!shown) kept.push_back(target);
 	}
 	return kept;

@@ -40,6 +40,5 @@ std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& fi
                                        const PlanConfig& config);
 
 /** Without those whose frontier another look, of more gain, shows as well. */
-std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTarget> targets,
-                                         const PlanConfig& config);
+std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTarget> targets, const PlanConfig& config);
 }  // namespace explore

@@ -2,6 +2,7 @@
 #include <explore/navigation/goal_kind.h>
 #include <explore/navigation/goal_pick.h>
 #include <explore/navigation/mission.h>
+#include <explore/navigation/mission_plan.h>
 
 #include <algorithm>
 #include <array>
@@ -11,45 +12,22 @@ namespace explore
 {
 namespace
 {
-/** What is asked of a goal that is reached: the camera points there. */
-constexpr double kArrive_rad = 0.14;
-/** The robot does not turn back to a goal that it left less than so long ago. */
-constexpr double kLeft_s = 20.0, kSameGoal_m = 0.6;
-/** A frontier that was looked at so often, and shows hardly more than it did, is left alone. */
-constexpr int kMaxTries = 2;
-constexpr double kSameGain = 1.3;
-/** How long a goal may take: so many times as long as the way at full speed, and a while to turn and wait. */
-constexpr double kPatience = 4.0, kPatience_s = 30.0;
-
-double yawOf(const Eigen::Isometry3d& map_from_robot)
+double yawIn(const Eigen::Isometry3d& map_from_robot)
 {
 	return azimuthOf(map_from_robot.linear().col(0));
 }
 
-Eigen::Vector3d placeOf(const Eigen::Isometry3d& map_from_robot)
+Eigen::Vector3d placeIn(const Eigen::Isometry3d& map_from_robot)
 {
 	return map_from_robot.translation();
 }
 
-/** One look at the map: all that a decision is made from. */
-struct Plan
-{
-	PlanMap map;
-	AllowedArea area;
-	CellIndex start = kNoCell, home = kNoCell;
-	TravelField field;
-	std::vector<LookTarget> targets;
-};
-
-bool wasTried(const Mission& mission, const LookTarget& target)
-{
-	return std::any_of(mission.tried.begin(), mission.tried.end(),
-	                   [&](const TriedFrontier& tried)
-	                   {
-		                   const bool same = (tried.frontier_in_map - target.frontier_in_map).norm() < kSameGoal_m;
-		                   return same && tried.tries >= kMaxTries && target.gain_m2 < kSameGain * tried.gain_m2;
-	                   });
-}
+/** What is asked of a goal that is reached: the camera points there. */
+constexpr double kArrive_rad = 0.14;
+/** The robot does not turn back to a goal that it left less than so long ago. */
+constexpr double kLeft_s = 20.0;
+/** How long a goal may take: so many times as long as the way at full speed, and a while to turn and wait. */
+constexpr double kPatience = 4.0, kPatience_s = 30.0;
 
 void addTry(Mission& mission, const MissionGoal& goal, double gain_m2)
 {
@@ -63,57 +41,22 @@ void addTry(Mission& mission, const MissionGoal& goal, double gain_m2)
 	mission.tried.push_back({goal.frontier_in_map, gain_m2, 1});
 }
 
-std::vector<LookTarget> targetsOf(const Plan& plan, const FrontierMemory& memory, const Mission& mission,
-                                  const MissionConfig& config)
-{
-	std::vector<LookTarget> targets;
-	const bool looks = config.policy == GoalPolicy::explore;
-	for (const WantedFrontier& frontier : wantedFrontiers(plan.map, memory.frontiers.clusters()))
-	{
-		const auto target = looks ? bestLook(plan.map, plan.field, frontier, config.plan)
-		                          : nearestPlace(plan.map, plan.field, frontier, config.plan);
-		if (target && !wasTried(mission, *target)) targets.push_back(*target);
-	}
-	return looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : targets;
-}
-
-Plan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now, const RobotConfig& robot,
-             const MissionConfig& config)
-{
-	Plan plan;
-	plan.area = allowedArea(config.bounds);
-	PlanInput input{memory.layers, plan.area, placeOf(now.map_from_robot), {}};
-	for (const BlockedSpot& spot : mission.blocked) input.blocked_in_map.push_back(spot.at_in_map);
-	plan.map = planMap(input, robot, config.plan);
-	plan.start = plan.map.cellOf(input.robot_in_map);
-	plan.home = plan.map.cellOf(placeOf(*mission.map_from_home));
-	plan.field = travelFrom(plan.map, plan.start, robot, config.plan);
-	plan.targets = targetsOf(plan, memory, mission, config);
-	return plan;
-}
-
 bool isReached(const MissionGoal& goal, const MissionNow& now, const PlanConfig& config)
 {
-	const double away_m = (goal.stand_in_map - placeOf(now.map_from_robot)).head<2>().norm();
+	if (!goal.reachable) return false;
+	const double away_m = (goal.stand_in_map - placeIn(now.map_from_robot)).head<2>().norm();
 	const bool home = goal.kind == GoalKind::home;
-	const double turn_rad = std::abs(wrapToPi(goal.yaw_rad - yawOf(now.map_from_robot)));
+	const double turn_rad = std::abs(wrapToPi(goal.yaw_rad - yawIn(now.map_from_robot)));
 	return away_m <= (home ? config.home_m : config.arrive_m) && (home || turn_rad <= kArrive_rad);
 }
 
 /** Whether the goal still shows something, and a way leads there. */
-bool isWorthKeeping(const MissionGoal& goal, const Plan& plan, const PlanConfig& config)
+bool isWorthKeeping(const MissionGoal& goal, const MissionPlan& plan, const PlanConfig& config)
 {
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
 	const bool stands_there = cell == plan.field.start;
 	if (!plan.field.reaches(cell) || (plan.map.passable[cell] == 0 && !stands_there)) return false;
 	return lookGain(plan.map, {cell, goal.yaw_rad}, config) >= config.min_gain_m2;
-}
-
-/** The goal as one of the targets, with its place and yaw kept. */
-LookTarget asTarget(const MissionGoal& goal, const Plan& plan)
-{
-	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
-	return {{cell, goal.yaw_rad}, goal.stand_in_map, goal.frontier_in_map, goal.gain_m2, plan.field.costTo(cell)};
 }
 
 void leave(Mission& mission, double now_s)
@@ -133,8 +76,8 @@ bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_
 	                   });
 }
 
-MissionGoal goalFor(const LookTarget& target, const Plan& plan, const FrontierMemory& memory, const MissionNow& now,
-                    const RobotConfig& robot)
+MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const FrontierMemory& memory,
+                    const MissionNow& now, const RobotConfig& robot)
 {
 	MissionGoal goal;
 	goal.stand_in_map = target.stand_in_map;
@@ -149,31 +92,14 @@ MissionGoal goalFor(const LookTarget& target, const Plan& plan, const FrontierMe
 	return goal;
 }
 
-/** Cost of the way home [m]; 0 where none is known. */
-double pathHome(const Plan& plan)
-{
-	return plan.field.reaches(plan.home) ? plan.field.costTo(plan.home) : 0.0;
-}
-
-/** Home, or the place nearest to it that the robot can get to. */
-Eigen::Vector3d placeNearHome(const Mission& mission, const Plan& plan)
-{
-	const Eigen::Vector3d home = placeOf(*mission.map_from_home);
-	if (plan.field.reaches(plan.home)) return home;
-	CellIndex nearest = plan.start;
-	const auto away = [&](CellIndex cell) { return (plan.map.middleOf(cell) - home).squaredNorm(); };
-	for (CellIndex cell = 0; cell < plan.map.cells.size(); ++cell)
-		if (plan.map.passable[cell] != 0 && plan.field.reaches(cell) && away(cell) < away(nearest)) nearest = cell;
-	return plan.map.middleOf(nearest);
-}
-
 /** The way home, as it is now; how long it may take counts from when the robot first set out. */
-MissionGoal goalHome(const Mission& mission, const Plan& plan, const MissionNow& now, const RobotConfig& robot)
+MissionGoal goalHome(const Mission& mission, const MissionPlan& plan, const MissionNow& now, const RobotConfig& robot)
 {
 	MissionGoal goal;
 	goal.kind = GoalKind::home;
 	goal.stand_in_map = goal.frontier_in_map = placeNearHome(mission, plan);
-	goal.yaw_rad = yawOf(*mission.map_from_home);
+	goal.reachable = plan.field.reaches(plan.home);
+	goal.yaw_rad = yawIn(*mission.map_from_home);
 	const bool on_its_way = mission.goal && mission.goal->kind == GoalKind::home;
 	goal.chosen_at_s = on_its_way ? mission.goal->chosen_at_s : now.t_s;
 	goal.patience_s =
@@ -182,10 +108,10 @@ MissionGoal goalHome(const Mission& mission, const Plan& plan, const MissionNow&
 }
 
 /** The target to go for, the current goal being one of them while it is worth keeping. */
-void chooseTarget(Mission& mission, Plan& plan, const FrontierMemory& memory, const MissionNow& now,
+void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
                   const RobotConfig& robot, const MissionConfig& config)
 {
-	PickInput input{plan.map, plan.field, plan.targets, yawOf(now.map_from_robot), plan.home, std::nullopt};
+	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
 	if (mission.goal)
 	{
 		std::erase_if(plan.targets, [&](const LookTarget& target)
@@ -205,7 +131,7 @@ void chooseTarget(Mission& mission, Plan& plan, const FrontierMemory& memory, co
 }
 
 /** Why the robot has to go home now although there is more to see. */
-MissionEnd budgetSpent(const Mission& mission, const Plan& plan, const MissionNow& now, const RobotConfig& robot,
+MissionEnd budgetSpent(const Mission& mission, const MissionPlan& plan, const MissionNow& now, const RobotConfig& robot,
                        const MissionConfig& config)
 {
 	const double needed_m = pathHome(plan) * (1.0 + config.budget.reserve);
@@ -216,7 +142,7 @@ MissionEnd budgetSpent(const Mission& mission, const Plan& plan, const MissionNo
 	return MissionEnd::none;
 }
 
-void goHome(Mission& mission, MissionEnd why, const Plan& plan, const MissionNow& now, const RobotConfig& robot)
+void goHome(Mission& mission, MissionEnd why, const MissionPlan& plan, const MissionNow& now, const RobotConfig& robot)
 {
 	mission.phase = MissionPhase::go_home;
 	mission.end = why;
@@ -233,7 +159,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 {
 	mission.planned_at_s = now.t_s;
 	std::erase_if(mission.blocked, [&](const BlockedSpot& spot) { return spot.until_s < now.t_s; });
-	Plan plan = planNow(mission, memory, now, robot, config);
+	MissionPlan plan = planNow(mission, memory, now, robot, config);
 	mission.open_frontiers = plan.targets.size();
 	if (mission.goal && mission.goal->kind != GoalKind::home && !isWorthKeeping(*mission.goal, plan, config.plan))
 	{
@@ -262,7 +188,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 
 void count(Mission& mission, const MissionNow& now)
 {
-	const Eigen::Vector3d at = placeOf(now.map_from_robot);
+	const Eigen::Vector3d at = placeIn(now.map_from_robot);
 	if (!mission.map_from_home)
 	{
 		mission.map_from_home = now.map_from_robot;
@@ -292,6 +218,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		if (mission.goal->kind == GoalKind::home)
 		{
 			mission.phase = MissionPhase::done;
+			mission.home_reached = reached;
 			return;
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);

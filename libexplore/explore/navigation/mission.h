@@ -40,6 +40,7 @@ struct MissionGoal
 	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();  ///< what it is to see there
 	double yaw_rad = 0;                                         ///< in the map
 	double gain_m2 = 0;                                         ///< unknown space that it is held to show
+	bool reachable = true;                                      ///< false: home, to which no way leads at present
 	double chosen_at_s = 0, patience_s = 0;                     ///< when, and how long it may take
 };
 
@@ -74,6 +75,7 @@ struct Mission
 	double started_at_s = 0, planned_at_s = 0;
 	std::optional<Eigen::Vector3d> robot_in_map;  ///< in the last frame
 	double path_m = 0;
+	bool home_reached = false;
 	std::optional<MissionGoal> goal;
 	bool goal_lost = false;                   ///< in this frame, by what the map newly shows
 	std::vector<Eigen::Vector3d> way_in_map;  ///< corners, from the robot to the goal

@@ -14,8 +14,8 @@ enum class GoalPolicy
 
 struct BudgetConfig
 {
-	double time_s = 0;  ///< the robot is to be home by then; 0 = no end
-	double path_m = 0;  ///< it is not to drive further than this, way home included (battery); 0 = no end
+	double time_s = 0;     ///< the robot is to be home by then; 0 = no end
+	double path_m = 0;     ///< it is not to drive further than this, way home included (battery); 0 = no end
 	double reserve = 0.3;  ///< share of the way home kept in reserve
 };
 /** [budget] */

@@ -6,7 +6,9 @@ void describe(FieldVisitor& fields, PlanConfig& config)
 {
 	fields.section("plan", "Planning over the map");
 	fields.real("clearance", config.clearance_m, {0.0, 1.0}, "m",
-	            "the body's radius plus this must be free of what stands there");
+	            "space where the body's radius plus this is free is to be explored");
+	fields.real("squeeze", config.squeeze_m, {0.0, 1.0}, "m",
+	            "ways keep at least the body's radius plus this from what stands there");
 	fields.real("comfort", config.comfort_m, {0.05, 2.0}, "m",
 	            "from the body's centre: ways that keep this far from things cost nothing extra");
 	fields.real("clearance_cost", config.clearance_cost, {0.0, 4.0}, "",

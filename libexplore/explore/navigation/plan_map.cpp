@@ -195,12 +195,13 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 	const std::vector<float> unknown_m = distances(map, edgesOfUnknown(map), known_m);
 	markAllowed(map, input.area);
 
+	const double squeeze_m = robot.radius_m + config.squeeze_m;
 	map.passable.resize(map.cells.size());
 	for (std::size_t i = 0; i < map.cells.size(); ++i)
 	{
 		const bool known = unknown_m[i] >= known_m;
 		map.passable[i] =
-		    map.allowed[i] != 0 && map.cells[i] == CellState::free && map.obstacle_m[i] >= map.fit_m && known ? 1 : 0;
+		    map.allowed[i] != 0 && map.cells[i] == CellState::free && map.obstacle_m[i] >= squeeze_m && known ? 1 : 0;
 	}
 	map.blocked.assign(map.cells.size(), 0);
 	for (const Eigen::Vector3d& spot : input.blocked_in_map) block(map, spot);

@@ -21,7 +21,7 @@ inline constexpr CellIndex kNoCell = std::numeric_limits<CellIndex>::max();
 struct PlanMap
 {
 	LayerFrame frame;
-	double fit_m = 0;  ///< the least distance to obstacles that the robot's centre keeps
+	double fit_m = 0;  ///< how far from obstacles the robot's centre has to fit for space to be explored
 	std::vector<CellState> cells;
 	std::vector<float> obstacle_m;          ///< from the cell's middle to the nearest occupied one or drop, capped
 	std::vector<std::uint8_t> allowed;      ///< inside the bounds and not kept out

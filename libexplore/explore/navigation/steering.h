@@ -12,10 +12,10 @@ namespace explore
 /** What is carried from frame to frame while the robot follows its way. */
 struct Steering
 {
-	bool turning = false;                             ///< on the spot
-	std::optional<double> blocked_since_s;            ///< the avoider has found no way since
-	std::optional<Eigen::Vector3d> backing_from_in_map;  ///< where the robot was when it began to back off
-	bool driving = false;                                ///< the last command was to drive
+	bool turning = false;                                     ///< on the spot
+	std::optional<double> blocked_since_s;                    ///< the avoider has found no way since
+	std::optional<Eigen::Vector3d> backing_from_in_map;       ///< where the robot was when it began to back off
+	bool driving = false;                                     ///< the last command was to drive
 	Eigen::Vector3d got_to_in_map = Eigen::Vector3d::Zero();  ///< where it was when it last made headway …
 	double got_there_at_s = 0;                                ///< … and when
 };

@@ -48,7 +48,7 @@ public:
 	    : m_map(&map),
 	      m_start(map.placeOf(start)),
 	      m_escape_cells(robot.radius_m / map.frame.resolution_m),
-	      m_least_m(robot.radius_m + config.clearance_m),
+	      m_least_m(robot.radius_m + config.squeeze_m),
 	      m_comfort_m(std::max(config.comfort_m, m_least_m + map.frame.resolution_m)),
 	      m_extra(config.clearance_cost)
 	{

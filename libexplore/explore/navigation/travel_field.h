@@ -37,7 +37,8 @@ TravelField travelBetween(const PlanMap& map, CellIndex start, const std::vector
                           const RobotConfig& robot, const PlanConfig& config);
 
 /** The corners [m, map frame] of the way from the field's start to `cell`, shortened where the straight way is free and
- *  keeps as far from obstacles as the way that it replaces, or by the comfortable distance. Empty where no way leads. */
+ *  keeps as far from obstacles as the way that it replaces, or by the comfortable distance. Empty where no way leads.
+ */
 std::vector<Eigen::Vector3d> shortenedWay(const PlanMap& map, const TravelField& field, CellIndex cell,
                                           const PlanConfig& config);
 

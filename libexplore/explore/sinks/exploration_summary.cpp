@@ -50,7 +50,7 @@ ExplorationSummary explorationSummary(const ExplorerState& state)
 	if (!state.memory) return summary;
 	const Mission& mission = state.mission;
 	summary.finished = mission.phase == MissionPhase::done;
-	summary.complete = summary.finished && mission.end == MissionEnd::nothing_left;
+	summary.complete = mission.home_reached && mission.end == MissionEnd::nothing_left;
 	summary.end = nameOf(mission.end);
 	summary.known_free_m2 = freeArea(state.memory->layers);
 	if (mission.map_from_home && mission.robot_in_map)

@@ -35,8 +35,8 @@ struct CorridorSummary
 
 struct ExplorationSummary
 {
-	bool complete = false;                ///< every frontier has a reason
-	bool finished = false;                ///< the robot is home, or as near as it gets
+	bool complete = false;                ///< every frontier has a reason, and the robot is home
+	bool finished = false;                ///< the robot has nothing more to do
 	std::string end;                      ///< why the mission went home; empty = it did not
 	std::optional<double> known_free_m2;  ///< of the robot's (lowest) layer
 	std::optional<double> home_error_m;   ///< of the last pose, on the plan

@@ -1,0 +1,74 @@
+#include <explore/navigation/mission_plan.h>
+
+#include <algorithm>
+
+namespace explore
+{
+namespace
+{
+/** A frontier that was looked at so often, and shows hardly more than it did, is left alone. */
+constexpr int kMaxTries = 2;
+constexpr double kSameGain = 1.3;
+
+bool wasTried(const Mission& mission, const LookTarget& target)
+{
+	return std::any_of(mission.tried.begin(), mission.tried.end(),
+	                   [&](const TriedFrontier& tried)
+	                   {
+		                   const bool same = (tried.frontier_in_map - target.frontier_in_map).norm() < kSameGoal_m;
+		                   return same && tried.tries >= kMaxTries && target.gain_m2 < kSameGain * tried.gain_m2;
+	                   });
+}
+
+std::vector<LookTarget> targetsOf(const MissionPlan& plan, const FrontierMemory& memory, const Mission& mission,
+                                  const MissionConfig& config)
+{
+	std::vector<LookTarget> targets;
+	const bool looks = config.policy == GoalPolicy::explore;
+	for (const WantedFrontier& frontier : wantedFrontiers(plan.map, memory.frontiers.clusters()))
+	{
+		const auto target = looks ? bestLook(plan.map, plan.field, frontier, config.plan)
+		                          : nearestPlace(plan.map, plan.field, frontier, config.plan);
+		if (target && !wasTried(mission, *target)) targets.push_back(*target);
+	}
+	return looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : targets;
+}
+}  // namespace
+
+MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now,
+                    const RobotConfig& robot, const MissionConfig& config)
+{
+	MissionPlan plan;
+	plan.area = allowedArea(config.bounds);
+	PlanInput input{memory.layers, plan.area, now.map_from_robot.translation(), {}};
+	for (const BlockedSpot& spot : mission.blocked) input.blocked_in_map.push_back(spot.at_in_map);
+	plan.map = planMap(input, robot, config.plan);
+	plan.start = plan.map.cellOf(input.robot_in_map);
+	plan.home = plan.map.cellOf(mission.map_from_home->translation());
+	plan.field = travelFrom(plan.map, plan.start, robot, config.plan);
+	plan.targets = targetsOf(plan, memory, mission, config);
+	return plan;
+}
+
+double pathHome(const MissionPlan& plan)
+{
+	return plan.field.reaches(plan.home) ? plan.field.costTo(plan.home) : 0.0;
+}
+
+Eigen::Vector3d placeNearHome(const Mission& mission, const MissionPlan& plan)
+{
+	const Eigen::Vector3d home = mission.map_from_home->translation();
+	if (plan.field.reaches(plan.home)) return home;
+	CellIndex nearest = plan.start;
+	const auto away = [&](CellIndex cell) { return (plan.map.middleOf(cell) - home).squaredNorm(); };
+	for (CellIndex cell = 0; cell < plan.map.cells.size(); ++cell)
+		if (plan.map.passable[cell] != 0 && plan.field.reaches(cell) && away(cell) < away(nearest)) nearest = cell;
+	return plan.map.middleOf(nearest);
+}
+
+LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan)
+{
+	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
+	return {{cell, goal.yaw_rad}, goal.stand_in_map, goal.frontier_in_map, goal.gain_m2, plan.field.costTo(cell)};
+}
+}  // namespace explore

@@ -1,0 +1,33 @@
+// One look at the map for the mission: where the robot can get to, what is worth looking at, and the way home.
+#pragma once
+
+#include <explore/navigation/mission.h>
+
+#include <vector>
+
+namespace explore
+{
+/** Frontiers nearer to each other than this are one goal. */
+inline constexpr double kSameGoal_m = 0.6;
+
+/** All that a decision is made from. */
+struct MissionPlan
+{
+	PlanMap map;
+	AllowedArea area;
+	CellIndex start = kNoCell, home = kNoCell;
+	TravelField field;
+	std::vector<LookTarget> targets;
+};
+
+MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now,
+                    const RobotConfig& robot, const MissionConfig& config);
+
+/** Cost of the way home [m]; 0 where none is known. */
+double pathHome(const MissionPlan& plan);
+/** Home, or the place nearest to it that the robot can get to. */
+Eigen::Vector3d placeNearHome(const Mission& mission, const MissionPlan& plan);
+
+/** The goal as one of the targets, with its place and yaw kept. */
+LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan);
+}  // namespace explore
