@@ -98,11 +98,13 @@ Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason f
 	if (intent.finished) forbidden = StopReason::finished;
 	const bool manoeuvres = intent.steering.turns || intent.steering.backs_off;
 	// Nearer to a wall than the camera can see it shows nothing, but the map knows the wall.
-	const bool by_memory = forbidden == StopReason::empty_frame && state.memory &&
-	                       mayMoveBlindly(state.steering, secondsOf(frame));
+	const bool by_memory =
+	    forbidden == StopReason::empty_frame && state.memory && mayMoveBlindly(state.steering, secondsOf(frame));
 	if (by_memory) forbidden = StopReason::none;
 	if (manoeuvres && forbidden == StopReason::none) return manoeuvre(intent.choice, intent.steering, config.robot);
-	if (by_memory) return slowed(decide(intent.choice, avoidance, forbidden, speedNow(frame, state, config.heading), config.robot, config.heading));
+	if (by_memory)
+		return slowed(decide(intent.choice, avoidance, forbidden, speedNow(frame, state, config.heading), config.robot,
+		                     config.heading));
 	return decide(intent.choice, avoidance, forbidden, speedNow(frame, state, config.heading), config.robot,
 	              config.heading);
 }
