@@ -217,7 +217,7 @@ bool passesNear(const std::vector<Eigen::Vector3d>& way, const Eigen::Vector3d& 
 
 TEST(ShortenedWay, KeepsOffSpotsWhereTheRobotWasStopped)
 {
-	const Eigen::Vector3d from(0.925, 0.925, 0), to(4.925, 0.925, 0), spot(2.925, 0.925, 0);
+	const Eigen::Vector3d from(0.925, 0.925, 0), to(4.925, 0.925, 0), spot(2.925, 0.725, 0);
 	const PlanMap open = planOf(kTwoRooms, from), blocked = planOf(kTwoRooms, from, {spot});
 	const auto way = [&](const PlanMap& map)
 	{ return shortenedWay(map, travelFrom(map, map.cellOf(from), {}, {}), map.cellOf(to), {}); };
@@ -285,7 +285,7 @@ TEST(ShortenedWay, IsOneLineInTheOpenAndNothingWithoutAWay)
 {
 	const PlanMap map = planOf(kTwoRooms, kTwoRooms.at('a'));
 	const TravelField field = travelFrom(map, map.cellOf(kTwoRooms.at('a')), {}, {});
-	EXPECT_EQ(shortenedWay(map, field, map.cellOf({5.0, 0.9, 0}), {}).size(), 2U);
+	EXPECT_EQ(shortenedWay(map, field, map.cellOf({2.1, 0.8, 0}), {}).size(), 2U);
 	EXPECT_EQ(shortenedWay(map, field, field.start, {}).size(), 1U);
 	EXPECT_TRUE(shortenedWay(map, field, map.cellOf({0.1, 0.1, 0}), {}).empty());
 }
