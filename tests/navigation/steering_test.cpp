@@ -53,13 +53,13 @@ protected:
 		Decision decision;
 		decision.stop = true;
 		decision.stop_reason = StopReason::no_direction;
-		noteDecision(m_steering, decision, t_s);
+		noteDecision(m_steering, decision, false, t_s);
 	}
 	void drove(double t_s)
 	{
 		Decision decision;
 		decision.command.velocity_mps.x() = 0.3;
-		noteDecision(m_steering, decision, t_s);
+		noteDecision(m_steering, decision, false, t_s);
 	}
 
 	FrontierMemory m_memory = test::memoryOf(kHall);
@@ -169,15 +169,29 @@ TEST_F(SteeringInHall, BacksOffOnlyIntoWhatIsKnownToBeFree)
 
 TEST_F(SteeringInHall, StopsForOtherReasonsAreNoMissingWay)
 {
-	Decision dark;
-	dark.stop = true;
-	dark.stop_reason = StopReason::empty_frame;
-	noteDecision(m_steering, dark, 100.0);
+	Decision stale;
+	stale.stop = true;
+	stale.stop_reason = StopReason::stale_frame;
+	noteDecision(m_steering, stale, false, 100.0);
 	EXPECT_FALSE(steerAt(at(kStart, 0.0, 105.0)).backs_off);
 	noWay(105.0);
 	drove(106.0);
 	noWay(107.0);
 	EXPECT_FALSE(steerAt(at(kStart, 0.0, 108.5)).backs_off) << "it drove in between";
+}
+
+TEST_F(SteeringInHall, ARobotThatSeesNothingBacksOffByWhatItRemembersButNotForEver)
+{
+	Decision dark;
+	dark.stop = true;
+	dark.stop_reason = StopReason::empty_frame;
+	noteDecision(m_steering, dark, true, 100.0);
+	EXPECT_TRUE(steerAt(at(kStart, 0.0, 103.0)).backs_off) << "it has come too near to something";
+	EXPECT_TRUE(mayMoveBlindly(m_steering, 110.0));
+	noteDecision(m_steering, dark, true, 110.0);
+	EXPECT_FALSE(mayMoveBlindly(m_steering, 120.0)) << "the camera is dark";
+	noteDecision(m_steering, {}, false, 121.0);
+	EXPECT_TRUE(mayMoveBlindly(m_steering, 121.0));
 }
 
 TEST_F(SteeringInHall, ARobotThatDrivesAndGetsNowhereBacksOffToo)
