@@ -25,7 +25,7 @@ std::vector<Layer> projectLayers()
 	    {"sources", root + "sources/", {"core", "config"}, {"mrpt", "Eigen", "octomap", "zlib.h"}, false},
 	    {"sinks",
 	     root + "sinks/",
-	     {"core", "config", "memory", "pipeline"},
+	     {"core", "config", "memory", "navigation", "pipeline"},
 	     {"mrpt", "Eigen", "octomap", "nlohmann", "CLI"},
 	     false},
 	    {"evaluation",

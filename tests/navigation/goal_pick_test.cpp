@@ -42,9 +42,9 @@ protected:
 	PlanMap m_map = planMap({m_layers, m_area, {0.825, kY_m, 0}, {}}, {}, {});
 };
 
-TEST_F(GoalPick, AllOnOneSideTheNearestComesFirstOnTheWayOut)
+TEST_F(GoalPick, OnTheWayToHomeTheNearestComesFirst)
 {
-	EXPECT_EQ(first(1.0, {9.0, 3.0, 6.0}), 1U);
+	EXPECT_EQ(first(1.0, {9.0, 3.0, 6.0}, {}, 11.0), 1U);
 	EXPECT_EQ(first(1.0, {4.0}), 0U);
 }
 
@@ -80,7 +80,7 @@ TEST_F(GoalPick, MoreGoalsThanATourTakesAreNoTrouble)
 {
 	std::vector<double> goals;
 	for (int i = 0; i < 20; ++i) goals.push_back(1.5 + 0.5 * i);
-	EXPECT_EQ(first(1.0, goals), 0U);
+	EXPECT_EQ(first(1.0, goals, {}, 11.0), 0U);
 	EXPECT_EQ(first(1.0, goals, 0), 0U);
 	EXPECT_LT(first(1.0, goals, 19), 20U) << "the current one is among them however far it is";
 }

@@ -52,7 +52,7 @@ TEST_P(MissionOf, SeesAllThereIsAndComesHome)
 	// The slit beside the cupboard is for nobody: 7 characters; corners may stay hidden.
 	EXPECT_LT(run.freeButUnknown(), 12U);
 	EXPECT_GT(run.leastClearance_m(), 0.22) << "the hull touched something";
-	EXPECT_NEAR(run.mission().path_m, run.path_m(), 0.3);
+	EXPECT_NEAR(run.mission().path_m, run.path_m(), 0.1 * run.path_m()) << "it is told where it is twice a second";
 	EXPECT_EQ(run.flips(), 0);
 }
 
@@ -85,12 +85,12 @@ TEST(Mission, BeginsWithALookAroundAndKeepsItsGoalUntilItIsReached)
 TEST(Mission, TimeBudgetBringsItHomeInTime)
 {
 	MissionConfig config;
-	config.budget.time_s = 60;
+	config.budget.time_s = 30;
 	test::MissionRun run(kFlat, config);
 	run.run(900);
 	ASSERT_TRUE(run.done());
 	EXPECT_EQ(run.mission().end, MissionEnd::time_budget);
-	EXPECT_LE(run.seconds(), 60.0 + 1.0);
+	EXPECT_LE(run.seconds(), 30.0 + 1.0);
 	EXPECT_LT((run.robot() - kFlat.at('r')).norm(), 0.10);
 }
 
@@ -102,8 +102,8 @@ TEST(Mission, PathBudgetBringsItHomeInTime)
 	run.run(900);
 	ASSERT_TRUE(run.done());
 	EXPECT_EQ(run.mission().end, MissionEnd::path_budget);
-	EXPECT_LE(run.path_m(), 10.0);
-	EXPECT_GT(run.path_m(), 4.0) << "it went out at all";
+	EXPECT_LE(run.mission().path_m, 10.0);
+	EXPECT_GT(run.mission().path_m, 4.0) << "it went out at all";
 	EXPECT_LT((run.robot() - kFlat.at('r')).norm(), 0.10);
 }
 

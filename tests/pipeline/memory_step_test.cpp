@@ -2,6 +2,7 @@
 #include <explore/pipeline/explorer.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "support/analytic_scene.h"
@@ -30,6 +31,14 @@ DepthFrame frameOf(const test::Scene& scene, std::size_t index, PoseOrigin origi
 	frame.index = index;
 	frame.timestamp += index * 250ms;
 	frame.pose_origin = origin;
+	return frame;
+}
+
+/** As that, but nothing came back from anywhere. */
+DepthFrame dark(std::size_t index)
+{
+	DepthFrame frame = frameOf(corridor(), index);
+	std::ranges::fill(frame.image.depth_m, 0.0F);
 	return frame;
 }
 
@@ -83,12 +92,23 @@ TEST(StepWithMemory, HeadingsAreThoseOfConfirmedTracks)
 	ASSERT_TRUE(last.decision.headings.vanishing_point_rad);
 	EXPECT_NEAR(*last.decision.headings.vanishing_point_rad, 0.0, 0.03);
 	// Nothing to see at all: what is remembered stays.
-	DepthFrame dark = frameOf(corridor(), 8);
-	std::ranges::fill(dark.image.depth_m, 0.0F);
-	const StepResult blind = step(dark, state, config);
+	const StepResult blind = step(dark(8), state, config);
 	ASSERT_TRUE(blind.decision.headings.vanishing_point_rad);
 	EXPECT_NEAR(*blind.decision.headings.vanishing_point_rad, 0.0, 0.03);
-	EXPECT_TRUE(blind.decision.stop);
+}
+
+TEST(StepWithMemory, ACameraThatShowsNothingSlowsTheRobotAndThenStopsIt)
+{
+	ExplorerState state;
+	for (std::size_t i = 0; i < 4; ++i) step(frameOf(corridor(), i), state, {});
+	bool stopped_at_last = false;
+	for (std::size_t i = 4; i < 80; ++i)
+	{
+		const Decision decision = step(dark(i), state, {}).decision;
+		EXPECT_LE(decision.command.velocity_mps.norm(), 0.15 + 1e-9) << i;
+		stopped_at_last = decision.stop && decision.command.yaw_rate_radps == 0.0;
+	}
+	EXPECT_TRUE(stopped_at_last) << "after 19 s";
 }
 
 TEST(StepWithMemory, SameFramesSameDecisions)

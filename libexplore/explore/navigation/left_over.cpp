@@ -60,21 +60,38 @@ bool isNearDrop(const PlanMap& map, CellIndex cell)
 	return false;
 }
 
-/** No value: it was not yet looked at. */
-std::optional<LeftOverReason> reasonOf(const LeftOverInput& input, const FrontierCluster& cluster, CellIndex unknown)
+/** What a frontier's cells have in common: beside the jambs of an opening that is wide enough the robot fits as little
+ * as beside those of one that is not. */
+struct FrontierFacts
+{
+	bool wanted = false;       ///< the body might get into what is unknown there
+	bool roomy = false;        ///< there is room for it somewhere
+	bool seen_across = false;  ///< no way leads to any of its cells
+};
+
+FrontierFacts factsOf(const LeftOverInput& input, const FrontierCluster& cluster, const std::vector<CellIndex>& unknown)
 {
 	const PlanMap& map = input.map;
-	const Eigen::Vector2d at = map.middleOf(unknown).head<2>();
-	if (!input.area.inBounds(at)) return LeftOverReason::outside_bounds;
-	if (input.area.isKeptOut(at)) return LeftOverReason::kept_out;
-	if (isNearDrop(map, unknown)) return LeftOverReason::drop;
-	if (const auto door = reasonOfDoor(input.memory, at)) return *door;
-	if (map.wanted[unknown] != 0) return input.looked_at_all ? std::optional(LeftOverReason::sealed) : std::nullopt;
-	const bool seen_across =
+	FrontierFacts facts;
+	facts.wanted = std::any_of(unknown.begin(), unknown.end(), [&](CellIndex cell) { return map.wanted[cell] != 0; });
+	facts.roomy =
+	    std::any_of(unknown.begin(), unknown.end(), [&](CellIndex cell) { return map.obstacle_m[cell] >= map.fit_m; });
+	facts.seen_across =
 	    std::none_of(cluster.cells.begin(), cluster.cells.end(),
 	                 [&](std::size_t cell) { return input.field.reaches(static_cast<CellIndex>(cell)); });
-	const bool roomy = map.obstacle_m[unknown] >= map.fit_m;
-	return seen_across && roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
+	return facts;
+}
+
+/** No value: it was not yet looked at. */
+std::optional<LeftOverReason> reasonOf(const LeftOverInput& input, const FrontierFacts& facts, CellIndex unknown)
+{
+	const Eigen::Vector2d at = input.map.middleOf(unknown).head<2>();
+	if (!input.area.inBounds(at)) return LeftOverReason::outside_bounds;
+	if (input.area.isKeptOut(at)) return LeftOverReason::kept_out;
+	if (isNearDrop(input.map, unknown)) return LeftOverReason::drop;
+	if (const auto door = reasonOfDoor(input.memory, at)) return *door;
+	if (facts.wanted) return input.looked_at_all ? std::optional(LeftOverReason::sealed) : std::nullopt;
+	return facts.seen_across && facts.roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
 }
 
 void join(std::vector<LeftOver>& all, const LeftOver& one)
@@ -105,11 +122,15 @@ std::vector<LeftOver> leftOver(const LeftOverInput& input)
 	std::vector<std::uint8_t> counted(map.cells.size(), 0);  // neighbouring clusters share some
 	const double cell_m2 = map.frame.resolution_m * map.frame.resolution_m;
 	for (const FrontierCluster& cluster : input.memory.frontiers.clusters())
-		for (const CellIndex cell : unknownBeside(map, cluster))
+	{
+		const std::vector<CellIndex> unknown = unknownBeside(map, cluster);
+		const FrontierFacts facts = factsOf(input, cluster, unknown);
+		for (const CellIndex cell : unknown)
 		{
 			if (std::exchange(counted[cell], std::uint8_t{1}) != 0) continue;
-			if (const auto why = reasonOf(input, cluster, cell)) join(all, {map.middleOf(cell), cell_m2, *why});
+			if (const auto why = reasonOf(input, facts, cell)) join(all, {map.middleOf(cell), cell_m2, *why});
 		}
+	}
 	return all;
 }
 }  // namespace explore
