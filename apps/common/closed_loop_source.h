@@ -25,7 +25,8 @@ class ClosedLoopSource : public FrameSource
 public:
 	virtual void obey(const Command& command) = 0;
 	[[nodiscard]] virtual TrueState trueState() const = 0;
-	/** Where the robot could get to from its start, as the world is; takes up to a second or two. */
+	/** Where the robot could and may get to from its start, as the world and [bounds] are; takes up to a second or two.
+	 */
 	[[nodiscard]] virtual TruthReach reachable() const = 0;
 };
 

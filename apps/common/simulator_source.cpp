@@ -2,6 +2,7 @@
 #include <common/input_paths.h>
 #include <common/simulated_mount.h>
 #include <explore/core/errors.h>
+#include <explore/navigation/keep_out.h>
 #include <explore/simulation/closed_loop.h>
 #include <explore/simulation/load_world.h>
 #include <explore/simulation/reachable_space.h>
@@ -51,6 +52,7 @@ public:
 	      m_scene(m_world),
 	      m_loop_config(closedLoopConfig(config, m_world)),
 	      m_loop(m_scene, m_loop_config),
+	      m_allowed(allowedArea(config.explorer.mission.bounds)),
 	      m_warn(logger)
 	{
 		for (const std::string& warning : m_world.warnings)
@@ -83,7 +85,8 @@ public:
 	[[nodiscard]] TruthReach reachable() const override
 	{
 		const auto& start = m_loop_config.map_from_start;
-		return reachableSpace(m_world, m_loop_config.recorder.robot, {start.x(), start.y(), start.z()});
+		return reachableSpace(m_world, m_loop_config.recorder.robot, {start.x(), start.y(), start.z()},
+		                      [this](const Eigen::Vector2d& place) { return m_allowed.allows(place); });
 	}
 
 private:
@@ -101,6 +104,7 @@ private:
 	RayScene m_scene;
 	ClosedLoopConfig m_loop_config;
 	ClosedLoop m_loop;
+	AllowedArea m_allowed;
 	WarnOnce m_warn;
 	GravityTrack m_gravity;
 	SourceReport m_report;

@@ -76,6 +76,9 @@ Progress progressOf(const Run& run)
 	const GoalKind goal = run.tally.goal;
 	Progress progress{run.tally.frames, run.source.progress(), run.tally.doors_in_view, {}, {}};
 	if (goal != GoalKind::none) progress.goal = nameOf(goal);
+	if (run.state.memory == nullptr) return progress;
+	progress.doors = confirmedDoors(*run.state.memory);
+	progress.known_free_m2 = knownFree_m2(*run.state.memory);
 	return progress;
 }
 

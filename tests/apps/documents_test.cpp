@@ -87,6 +87,16 @@ TEST(Documents, WarehouseIsTheMavOfThePapersSecondScenario)
 	EXPECT_EQ(config.explorer.robot.max_altitude_m, 2.0);
 }
 
+TEST(Documents, EveryWorldThatAnIniNamesIsShipped)
+{
+	for (const auto& [ini, world] :
+	     {std::pair{"corridor.ini", "corridor.sdf"}, {"office.ini", "office.sdf"}, {"warehouse.ini", "warehouse.sdf"}})
+	{
+		EXPECT_EQ(shipped(ini).source.simulator.world, world) << ini;
+		EXPECT_TRUE(fs::exists(kSource / "rawlogs" / "worlds" / world)) << world;
+	}
+}
+
 TEST(Documents, XtionEstimatesTheMount)
 {
 	EXPECT_EQ(shipped("xtion.ini").source.camera.mount, MountPolicy::estimate);

@@ -156,11 +156,38 @@ TEST(ReachableSpace, WhoWalksIsNotInTheWay)
 	EXPECT_TRUE(reaches(reachableSpace(world, {}, {1, 1, 0}), 5, 2));
 }
 
-TEST(ReachableSpace, BoundsEndIt)
+TEST(ReachableSpace, EndsWhereTheRobotIsNotAllowed)
 {
 	const Eigen::AlignedBox2d bounds(Vector2d(0.5, 0.5), Vector2d(2.0, 2.5));
-	const TruthReach reach = reachableSpace(room(4, 3), {}, {1, 1, 0}, bounds);
+	const TruthReach reach =
+	    reachableSpace(room(4, 3), {}, {1, 1, 0}, [&](const Vector2d& place) { return bounds.contains(place); });
 	EXPECT_EQ(reach.cells(), 30U * 40U);
+}
+
+TEST(ReachableSpace, WhatLiesBehindForbiddenFloorIsNotReachable)
+{
+	// A strip of 0.5 m across the room, from wall to wall, then one that leaves a way past it.
+	const auto outside = [](const Vector2d& low, const Vector2d& high)
+	{ return [=](const Vector2d& place) { return !Eigen::AlignedBox2d(low, high).contains(place); }; };
+	const TruthReach cut = reachableSpace(room(4, 3), {}, {1, 1, 0}, outside({2, -1}, {2.5, 4}));
+	EXPECT_TRUE(reaches(cut, 1.9, 1.5));
+	EXPECT_FALSE(reaches(cut, 3, 1.5));
+	const TruthReach passable = reachableSpace(room(4, 3), {}, {1, 1, 0}, outside({2, -1}, {2.5, 2}));
+	EXPECT_TRUE(reaches(passable, 3, 1.5));
+	EXPECT_FALSE(reaches(passable, 2.25, 1.5));
+	EXPECT_EQ(passable.cells(), reachableSpace(room(4, 3), {}, {1, 1, 0}).cells() - 10U * 35U)
+	    << "10 columns of cells whose middles lie between 0.27 m, the clearance from the wall, and 2 m";
+}
+
+TEST(ReachableSpace, AMavIsKeptOutAtEveryHeight)
+{
+	const auto allows = [](const Vector2d& place) { return place.x() < 2.0; };
+	const TruthReach reach = reachableSpace(room(4, 3), mav(), {1, 1, 1.25}, allows);
+	for (std::size_t level = 0; level < reach.levels.size(); ++level)
+	{
+		EXPECT_TRUE(reaches(reach, 1.9, 1.5, level)) << level;
+		EXPECT_FALSE(reaches(reach, 2.1, 1.5, level)) << level;
+	}
 }
 
 TEST(ReachableSpace, UnderATableButNotOntoIt)

@@ -28,10 +28,10 @@ TEST(ProgressText, UnknownShareIsLeftOut)
 	EXPECT_EQ(progressText({1, 0.0, 0}, 0.0, 0.0), "frame 1  0 %  doors 0");
 }
 
-TEST(ProgressText, GoalAndCoverageWhereTheyAreKnown)
+TEST(ProgressText, GoalAndKnownFloorWhereThereAreSome)
 {
-	EXPECT_EQ(progressText({7, std::nullopt, 1, "frontier", 0.425}, 0.0, 1.0),
-	          "frame 7  doors 1  goal frontier  coverage 42 %");
+	EXPECT_EQ(progressText({7, std::nullopt, 1, "frontier", 42.4}, 0.0, 1.0),
+	          "frame 7  doors 1  known 42 m2  goal frontier");
 }
 
 TEST(ProgressText, ShareBeyondTheEndIsTheEnd)

@@ -15,12 +15,14 @@ namespace
 {
 constexpr double kSpare_m = 0.05, kBumps_m = 0.10, kFloorStep_m = 0.05;
 
+using Allows = std::function<bool(const Eigen::Vector2d& point_in_map)>;
+
 /** The space while it is being found: which cells have no room or floor, then which of the others are connected. */
 class Search
 {
 public:
-	Search(const World& world, const RobotConfig& robot, Eigen::Vector3d start, const Eigen::AlignedBox2d& bounds);
-	TruthReach run();
+	Search(const World& world, const RobotConfig& robot, Eigen::Vector3d start);
+	TruthReach run(const Allows& allows);
 
 private:
 	/** What stands between these heights is in the way of a body in the level. */
@@ -32,6 +34,7 @@ private:
 	void addFlightLevels();
 	void blockBy(const Triangle& triangle);
 	void blockWithoutFloor();
+	void blockWhereNot(const Allows& allows);
 	[[nodiscard]] CellBytes floorCells() const;
 	/** Every cell of the plan whose middle is less than `margin_m` from the triangle's box: visit(index, middle). */
 	template <class Visit>
@@ -45,19 +48,20 @@ private:
 	std::vector<CellBytes> m_blocked;  ///< one a level
 };
 
-Search::Search(const World& world, const RobotConfig& robot, Eigen::Vector3d start, const Eigen::AlignedBox2d& bounds)
+Search::Search(const World& world, const RobotConfig& robot, Eigen::Vector3d start)
     : m_world(world), m_robot(robot), m_start(std::move(start))
 {
-	if (bounds.isEmpty()) return;
+	const Eigen::AlignedBox3d solid = solidBounds(world).cast<double>();
+	if (solid.isEmpty()) return;
 	// The cells whose middle is inside.
-	const Eigen::Vector2d low = bounds.min() / m_reach.cell_m, high = bounds.max() / m_reach.cell_m;
+	const Eigen::Vector2d low = solid.min().head<2>() / m_reach.cell_m, high = solid.max().head<2>() / m_reach.cell_m;
 	m_reach.first_column = static_cast<int>(std::ceil(low.x() - 0.5));
 	m_reach.first_row = static_cast<int>(std::ceil(low.y() - 0.5));
 	m_reach.columns = std::max(0, static_cast<int>(std::floor(high.x() - 0.5)) - m_reach.first_column + 1);
 	m_reach.rows = std::max(0, static_cast<int>(std::floor(high.y() - 0.5)) - m_reach.first_row + 1);
 }
 
-TruthReach Search::run()
+TruthReach Search::run(const Allows& allows)
 {
 	if (m_robot.kind == RobotKind::ground)
 		addGroundLevel();
@@ -68,6 +72,7 @@ TruthReach Search::run()
 	for (TruthReach::Level& level : m_reach.levels) level.reachable = none;
 	forEachTriangle(m_world, [this](const Triangle& triangle) { blockBy(triangle); });
 	if (m_robot.kind == RobotKind::ground) blockWithoutFloor();
+	if (allows) blockWhereNot(allows);
 	spread(m_reach, std::move(m_blocked), m_start);
 	return std::move(m_reach);
 }
@@ -175,16 +180,18 @@ void Search::blockWithoutFloor()
 		}
 }
 
+void Search::blockWhereNot(const Allows& allows)
+{
+	for (int row = 0; row < m_reach.rows; ++row)
+		for (int column = 0; column < m_reach.columns; ++column)
+			if (!allows(m_reach.centerOf(column, row)))
+				for (CellBytes& blocked : m_blocked) blocked[planIndex(m_reach, column, row)] = 1;
+}
 }  // namespace
 
 TruthReach reachableSpace(const World& world, const RobotConfig& robot, const Eigen::Vector3d& start_in_map,
-                          const std::optional<Eigen::AlignedBox2d>& bounds)
+                          const Allows& allows)
 {
-	if (bounds) return Search(world, robot, start_in_map, *bounds).run();
-	const Eigen::AlignedBox3f solid = solidBounds(world);
-	Eigen::AlignedBox2d plan;
-	if (!solid.isEmpty())
-		plan = Eigen::AlignedBox2d(solid.min().head<2>().cast<double>(), solid.max().head<2>().cast<double>());
-	return Search(world, robot, start_in_map, plan).run();
+	return Search(world, robot, start_in_map).run(allows);
 }
 }  // namespace explore::simulation

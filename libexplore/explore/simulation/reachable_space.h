@@ -5,8 +5,8 @@
 #include <explore/core/truth.h>
 #include <explore/simulation/world.h>
 
-#include <Eigen/Geometry>
-#include <optional>
+#include <Eigen/Core>
+#include <functional>
 
 namespace explore::simulation
 {
@@ -17,8 +17,10 @@ namespace explore::simulation
  *    the start. Its level is what has to be free above the floor: from 0.10 m to its height.
  *  - A MAV has a level every 5 cm of its flight band, whose heights count from what is below its start.
  *  - What moves is left out. Doors are as they stand.
- *  - `bounds` (on the floor plan) end it, else the box around what is solid in the world (solidBounds).
+ *  - The box around what is solid in the world (solidBounds) ends it.
+ *  - Cells whose middle `allows` (on the floor plan) says no to are not reachable, nor is what lies behind them;
+ * without `allows` the robot may be anywhere.
  *  - Where the start's own cell is too tight the nearest one within 0.3 m counts; without one nothing is reachable. */
 TruthReach reachableSpace(const World& world, const RobotConfig& robot, const Eigen::Vector3d& start_in_map,
-                          const std::optional<Eigen::AlignedBox2d>& bounds = {});
+                          const std::function<bool(const Eigen::Vector2d& point_in_map)>& allows = {});
 }  // namespace explore::simulation

@@ -33,16 +33,23 @@ std::vector<CorridorSummary> corridorsOf(const CorridorTracks& tracks)
 	}
 	return corridors;
 }
+}  // namespace
 
-double freeArea(const BodyLayers& layers)
+double knownFree_m2(const FrontierMemory& memory)
 {
+	const BodyLayers& layers = memory.layers;
 	const LayerFrame& frame = layers.frame();
 	const auto end =
 	    layers.cells().begin() + static_cast<std::ptrdiff_t>(std::min(frame.cellsInLayer(), layers.cells().size()));
 	const auto free = std::count(layers.cells().begin(), end, CellState::free);
 	return static_cast<double>(free) * frame.resolution_m * frame.resolution_m;
 }
-}  // namespace
+
+std::size_t confirmedDoors(const FrontierMemory& memory)
+{
+	return static_cast<std::size_t>(
+	    std::ranges::count_if(memory.doors.tracks, [](const DoorTrack& track) { return track.existence.confirmed; }));
+}
 
 ExplorationSummary explorationSummary(const ExplorerState& state)
 {
@@ -52,7 +59,7 @@ ExplorationSummary explorationSummary(const ExplorerState& state)
 	summary.finished = mission.phase == MissionPhase::done;
 	summary.complete = mission.home_reached && mission.end == MissionEnd::nothing_left;
 	summary.end = nameOf(mission.end);
-	summary.known_free_m2 = freeArea(state.memory->layers);
+	summary.known_free_m2 = knownFree_m2(*state.memory);
 	if (mission.map_from_home && mission.robot_in_map)
 		summary.home_error_m = (*mission.robot_in_map - mission.map_from_home->translation()).head<2>().norm();
 	summary.doors = doorsOf(state.memory->doors);

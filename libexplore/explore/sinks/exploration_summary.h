@@ -45,6 +45,10 @@ struct ExplorationSummary
 	std::vector<LeftOver> left_over;
 };
 
+/** Of the robot's (lowest) layer. */
+[[nodiscard]] double knownFree_m2(const FrontierMemory& memory);
+[[nodiscard]] std::size_t confirmedDoors(const FrontierMemory& memory);
+
 /** Of a state without memory all is empty. */
 ExplorationSummary explorationSummary(const ExplorerState& state);
 }  // namespace explore

@@ -25,9 +25,9 @@ std::string progressText(const Progress& progress, double rate_hz, double elapse
 	std::string text = mrpt::format("frame %zu", progress.frames);
 	if (progress.share) text += mrpt::format("  %.0f %%", 100.0 * std::clamp(*progress.share, 0.0, 1.0));
 	if (rate_hz > 0.0) text += mrpt::format("  %.0f Hz", rate_hz);
-	text += mrpt::format("  doors %zu", progress.doors_in_view);
+	text += mrpt::format("  doors %zu", progress.doors);
+	if (progress.known_free_m2) text += mrpt::format("  known %.0f m2", *progress.known_free_m2);
 	if (!progress.goal.empty()) text.append("  goal ").append(progress.goal);
-	if (progress.coverage) text += mrpt::format("  coverage %.0f %%", 100.0 * *progress.coverage);
 	if (progress.share && *progress.share > 0.0) text += timeLeft(std::min(*progress.share, 1.0), elapsed_s);
 	return text;
 }

@@ -12,13 +12,13 @@ namespace explore
 struct Progress
 {
 	std::size_t frames = 0;
-	std::optional<double> share;  ///< of the input, 0–1
-	std::size_t doors_in_view = 0;
-	std::string_view goal = {};                     ///< kind of the present one; empty = none
-	std::optional<double> coverage = std::nullopt;  ///< of what is reachable, 0–1, where it is known
+	std::optional<double> share;                         ///< of the input, 0–1
+	std::size_t doors = 0;                               ///< confirmed ones, or in view where nothing is remembered
+	std::string_view goal = {};                          ///< kind of the present one; empty = none
+	std::optional<double> known_free_m2 = std::nullopt;  ///< floor known to be free, where there is a map
 };
 
-/** "frame 120  30 %  85 Hz  doors 1  goal door  coverage 42 %  left 0:12"; `rate_hz` is the present speed, `elapsed_s`
+/** "frame 120  30 %  85 Hz  doors 1  known 42 m2  goal door  left 0:12"; `rate_hz` is the present speed, `elapsed_s`
  * the time since the start. What is not known is left out. */
 std::string progressText(const Progress& progress, double rate_hz, double elapsed_s);
 
