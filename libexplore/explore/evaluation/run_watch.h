@@ -35,6 +35,14 @@ public:
 	 *  reached (the robot within 0.5 m of it on the floor plan) nor lost (doc/definitions.md, "Goal flip"). */
 	[[nodiscard]] std::size_t flips() const { return m_flips; }
 
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_start_in_map), archive(m_robot_in_map), archive(m_path_m), archive(m_goal_in_map);
+		archive(m_goal_done), archive(m_left), archive(m_flips);
+	}
+
 private:
 	struct Left
 	{

@@ -28,6 +28,13 @@ public:
 	/** Where a recent station began, map frame [m]. */
 	[[nodiscard]] const Eigen::Vector3d& origin(std::uint16_t station) const { return m_origins[station % kRecent]; }
 
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_current), archive(m_origins);
+	}
+
 private:
 	std::uint16_t m_current = 0;
 	std::array<Eigen::Vector3d, kRecent> m_origins{};
