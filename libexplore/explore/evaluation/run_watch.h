@@ -46,8 +46,8 @@ public:
 private:
 	struct Left
 	{
-		double t_s;
-		Eigen::Vector3d place_in_map;
+		double t_s = 0;
+		Eigen::Vector3d place_in_map = Eigen::Vector3d::Zero();
 	};
 	void follow(const WatchedFrame& frame);
 	void change(const WatchedFrame& frame);
