@@ -9,15 +9,16 @@ demo_packages=(
 	g++ cmake ninja-build ccache
 	libmrpt-nav-dev libeigen3-dev liboctomap-dev zlib1g-dev
 	libcli11-dev nlohmann-json3-dev
+	libsdformat-dev libassimp-dev libembree-dev
 )
-test_packages=("${demo_packages[@]}" libsdformat-dev libassimp-dev libembree-dev libgtest-dev libgmock-dev mrpt-common)
+test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common)
 ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev)
 
 usage()
 {
 	cat <<-END
 		usage: ./run.sh demo [argument of explore-mrpt]...
-		           installs what is missing, builds, explores the bundled corridor
+		           installs what is missing, builds, explores the bundled world
 		       ./run.sh test [argument of ctest]...
 		           the same set-up, then builds and runs every test
 		       ./run.sh setup demo|test|ci
@@ -115,7 +116,7 @@ build() { cmake --build "$build" "$@" >&2; }
 run_demo()
 {
 	install_packages "${demo_packages[@]}"
-	configure EXPLORE_APPS=ON
+	configure EXPLORE_APPS=ON EXPLORE_SIMULATION=ON
 	timed "built" build --target explore-mrpt
 	local argument out=$root/out/demo
 	local -a out_option=(--out "$out")

@@ -61,6 +61,8 @@ TEST(Documents, CorridorHasThePapersParameters)
 {
 	const auto config = shipped("corridor.ini");
 	const auto& perception = config.explorer.perception;
+	EXPECT_EQ(config.source.kind, SourceKind::simulator);
+	EXPECT_EQ(config.source.simulator.world, "corridor.sdf");
 	EXPECT_EQ(config.source.rawlog, "corridor.rawlog");
 	EXPECT_EQ(perception.range_filter.max_range_m, 5.0);
 	EXPECT_EQ(perception.voxel_grid.voxel_size_m, 0.05);

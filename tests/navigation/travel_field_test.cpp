@@ -44,7 +44,7 @@ double weightOf(const PlanMap& map, CellIndex cell, CellIndex start, const Robot
 		return beneath && map.cells[cell] == CellState::free ? 5.0 : 0.0;
 	}
 	if (map.blocked[cell] != 0) return 20.0;
-	const double least_m = robot.radius_m + config.clearance_m;
+	const double least_m = robot.radius_m + config.squeeze_m;
 	const double nearness = (config.comfort_m - map.obstacle_m[cell]) / (config.comfort_m - least_m);
 	return 1.0 + config.clearance_cost * std::clamp(nearness, 0.0, 1.0);
 }

@@ -60,7 +60,9 @@ std::set<Cell> cellsOf(const TruthReach& reach)
 	for (std::size_t level = 0; level < reach.levels.size(); ++level)
 		for (int row = 0; row < reach.rows; ++row)
 			for (int column = 0; column < reach.columns; ++column)
-				if (reach.levels[level].reachable[static_cast<std::size_t>(row * reach.columns + column)] != 0)
+				if (reach.levels[level]
+				        .reachable[static_cast<std::size_t>(row) * static_cast<std::size_t>(reach.columns) +
+				                   static_cast<std::size_t>(column)] != 0)
 					cells.insert({column, row, static_cast<int>(level)});
 	return cells;
 }
@@ -93,7 +95,7 @@ std::set<Cell> slowly(const TruthReach& grid, const RayScene& scene, const Robot
 			{
 				Cell next = at;
 				next[axis] += step;
-				if (reached.count(next) == 0 && fits(next)) reached.insert(next), open.push_back(next);
+				if (!reached.contains(next) && fits(next)) reached.insert(next), open.push_back(next);
 			}
 	}
 	return reached;

@@ -59,11 +59,28 @@ char DrawnMap::character(int column, int row) const
 	return m_rows.at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(column));
 }
 
+void DrawnMap::set(int column, int row, char character)
+{
+	m_rows.at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(column)) = character;
+}
+
+void DrawnMap::show(const Eigen::Vector2d& point_in_map, char character)
+{
+	const Eigen::Vector2i place = (point_in_map / m_character_m).array().floor().cast<int>();
+	set(place.x(), place.y(), character);
+}
+
 DrawnMap DrawnMap::with(int column, int row, char character) const
 {
 	DrawnMap changed = *this;
-	changed.m_rows.at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(column)) = character;
+	changed.set(column, row, character);
 	return changed;
+}
+
+double DrawnMap::distanceTo(int column, int row, const Eigen::Vector3d& point_in_map) const
+{
+	const Eigen::Array2d off = (point_in_map - middleOf(column, row)).head<2>().array().abs() - 0.5 * m_character_m;
+	return off.max(0.0).matrix().norm();
 }
 
 Eigen::Vector3d DrawnMap::middleOf(int column, int row) const

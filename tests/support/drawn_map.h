@@ -26,6 +26,11 @@ public:
 	[[nodiscard]] int columns() const;
 	[[nodiscard]] int rows() const { return static_cast<int>(m_rows.size()); }
 	[[nodiscard]] char character(int column, int row) const;
+	/** From a point to the square of a character, on the floor; 0 inside. */
+	[[nodiscard]] double distanceTo(int column, int row, const Eigen::Vector3d& point_in_map) const;
+	void set(int column, int row, char character);
+	/** Sets the character at a point of the drawing. */
+	void show(const Eigen::Vector2d& point_in_map, char character);
 	/** The same with a character changed. */
 	[[nodiscard]] DrawnMap with(int column, int row, char character) const;
 

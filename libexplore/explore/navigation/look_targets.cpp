@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace explore
 {
@@ -11,6 +12,8 @@ namespace
 constexpr int kLattice_cells = 6;
 constexpr double kFarthest_m = 3.0;
 constexpr double kGoodShare = 0.6;
+/** Metres of way for a metre that a place is too near to things. */
+constexpr double kCrowding = 3.0;
 
 LookTarget targetAt(const PlanMap& map, const TravelField& field, CellIndex cell, const WantedFrontier& frontier)
 {
@@ -48,10 +51,19 @@ bool isNearStart(const PlanMap& map, const TravelField& field, const WantedFront
 	return (map.middleOf(field.start) - frontier.middle_in_map).norm() <= config.view_range_m;
 }
 
-/** Whether `a` comes before `b` as a place to look from. */
-bool isCheaper(const LookTarget& a, const LookTarget& b)
+/** How much way a place counts for that is nearer to things than is comfortable: less is seen from there. */
+double crowding(const PlanMap& map, CellIndex cell, const PlanConfig& config)
 {
-	return a.travel_m != b.travel_m ? a.travel_m < b.travel_m : a.look.cell < b.look.cell;
+	return kCrowding * std::max(0.0, config.comfort_m - static_cast<double>(map.obstacle_m[cell]));
+}
+
+/** The place to look from that costs least. */
+const LookTarget& cheapest(const PlanMap& map, const std::vector<LookTarget>& targets, const PlanConfig& config)
+{
+	const auto cost = [&](const LookTarget& target)
+	{ return std::pair(target.travel_m + crowding(map, target.look.cell, config), target.look.cell); };
+	return *std::min_element(targets.begin(), targets.end(),
+	                         [&](const LookTarget& a, const LookTarget& b) { return cost(a) < cost(b); });
 }
 }  // namespace
 
@@ -96,7 +108,7 @@ std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field,
 	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
 	std::erase_if(targets, [&](const LookTarget& target)
 	              { return target.gain_m2 < std::max(kGoodShare * best_gain_m2, config.min_gain_m2); });
-	return *std::min_element(targets.begin(), targets.end(), isCheaper);
+	return cheapest(map, targets, config);
 }
 
 std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,

@@ -19,6 +19,8 @@ constexpr double kTurnTime_s = 0.5;
 constexpr double kPatience_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
 /** A robot that drives gets this far within its patience. */
 constexpr double kHeadway_m = 0.05;
+/** It moves by what it remembers while the camera has shown nothing for no longer than this. */
+constexpr double kBlind_s = 15.0;
 
 /** Of a point on the way: its distance from `at`, and how far along the way it lies. */
 struct OnWay
@@ -186,11 +188,21 @@ Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const Rob
 	return decision;
 }
 
-void noteDecision(Steering& steering, const Decision& decision, double t_s)
+bool mayMoveBlindly(const Steering& steering, double t_s)
 {
+	return !steering.blind_since_s || t_s - *steering.blind_since_s < kBlind_s;
+}
+
+void noteDecision(Steering& steering, const Decision& decision, bool frame_is_empty, double t_s)
+{
+	if (!frame_is_empty)
+		steering.blind_since_s.reset();
+	else if (!steering.blind_since_s)
+		steering.blind_since_s = t_s;
 	steering.driving = decision.command.velocity_mps.x() > 0.0;
-	const bool no_way =
-	    decision.stop_reason == StopReason::path_too_short || decision.stop_reason == StopReason::no_direction;
+	const StopReason why = decision.stop_reason;
+	const bool too_near = why == StopReason::empty_frame && mayMoveBlindly(steering, t_s);
+	const bool no_way = why == StopReason::path_too_short || why == StopReason::no_direction || too_near;
 	if (!no_way)
 		steering.blocked_since_s.reset();
 	else if (!steering.blocked_since_s)
