@@ -2,6 +2,7 @@
 #pragma once
 
 #include <common/app_config.h>
+#include <explore/core/byte_archive.h>
 #include <explore/core/truth.h>
 #include <explore/sources/source.h>
 
@@ -28,6 +29,9 @@ public:
 	/** Where the robot could and may get to from its start, as the world and [bounds] are; takes up to a second or two.
 	 */
 	[[nodiscard]] virtual TruthReach reachable() const = 0;
+	/** Writes, or reads, all that a source that was opened alike needs to go on from here. */
+	virtual void exchange(ByteWriter& archive) = 0;
+	virtual void exchange(ByteReader& archive) = 0;
 };
 
 /** The simulator that `loaded` describes; its world is found as findWorldOfIni() does, but where the command line names

@@ -88,8 +88,15 @@ public:
 		return reachableSpace(m_world, m_loop_config.recorder.robot, {start.x(), start.y(), start.z()},
 		                      [this](const Eigen::Vector2d& place) { return m_allowed.allows(place); });
 	}
+	void exchange(ByteWriter& archive) override { exchangeAll(archive); }
+	void exchange(ByteReader& archive) override { exchangeAll(archive); }
 
 private:
+	template <class Archive>
+	void exchangeAll(Archive& archive)
+	{
+		archive(m_loop), archive(m_warn), archive(m_gravity), archive(m_report.frames), archive(m_report.pose_origin);
+	}
 	/** From the readings up to `time`: those of a recording that come after a frame are not there yet. */
 	std::optional<Eigen::Vector3d> upBefore(mrpt::Clock::time_point time)
 	{

@@ -6,6 +6,7 @@
 #include <mrpt/system/COutputLogger.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace explore::app
@@ -19,6 +20,8 @@ public:
 	[[nodiscard]] StatusLine& status() { return m_status; }
 	/** All warnings so far in their order, shown or not. */
 	[[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+	/** Those of the part of the run that went before, in place of what was said again on the way back to it. */
+	void takeWarnings(std::vector<std::string> warnings) { m_warnings = std::move(warnings); }
 
 private:
 	void take(std::string_view message, mrpt::system::VerbosityLevel level);

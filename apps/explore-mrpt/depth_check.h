@@ -18,6 +18,12 @@ public:
 	/** The remark for the user, with the first frame that makes it clear; no value with all others. Clouds without an
 	 *  image are passed over. */
 	std::optional<std::string> look(const DepthFrame& frame);
+	/** Writes or reads what look() changes. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_bend), archive(m_looked), archive(m_said);
+	}
 
 private:
 	const ExplorerConfig& m_config;

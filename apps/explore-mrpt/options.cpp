@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <set>
 
 namespace explore::app
 {
@@ -39,7 +40,20 @@ void addOutputOptions(CLI::App& app, Options& options)
 	    ->type_name("LEVEL")
 	    ->transform(CLI::CheckedTransformer(kVerbosities, CLI::ignore_case).description(""));
 	app.add_flag("--quiet", options.quiet, "No progress, no summary; warnings and errors only");
+	app.add_option("--resume", options.resume,
+	               "Goes on with the run in this folder that was killed or interrupted, as it was begun")
+	    ->type_name("DIR");
 	app.add_flag("--dump-config", options.dump_config, "Prints the complete ini with the values in force, and exits");
+}
+
+/** A run that goes on has its configuration: nothing that would change it may be given with --resume. */
+void excludeFromResume(CLI::App& app)
+{
+	const std::set<std::string> allowed{"--help",      "--version",    "--resume",  "--quiet",
+	                                    "--verbosity", "--max-frames", "--realtime"};
+	CLI::Option* const resume = app.get_option("--resume");
+	for (CLI::Option* const option : app.get_options())
+		if (!allowed.contains(option->get_name())) resume->excludes(option);
 }
 }  // namespace
 
@@ -53,6 +67,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv)
 	app.set_version_flag("--version", "explore-mrpt " + version());
 	addInputOptions(app, parsed.options);
 	addOutputOptions(app, parsed.options);
+	excludeFromResume(app);
 	app.footer(
 	    "Exit codes: 0 done, 1 internal error, 2 usage or configuration, 3 input unreadable or damaged,\n"
 	    "4 sensor lost, 5 output cannot be written, 130 / 143 interrupted.");

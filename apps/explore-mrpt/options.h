@@ -18,6 +18,7 @@ struct Options : ConfigChoices
 	bool realtime = false;  ///< no faster than the frames were, or are, taken
 	bool quiet = false;
 	bool dump_config = false;
+	std::string resume;  ///< folder of the run to go on with; empty = a new run
 
 	[[nodiscard]] bool toStandardOutput() const { return out == "-"; }
 };

@@ -1,37 +1,14 @@
-#include <common/closed_loop_source.h>
 #include <common/exit_codes.h>
-#include <common/input_paths.h>
-#include <common/mounted_source.h>
-#include <explore-mrpt/console_logger.h>
-#include <explore-mrpt/depth_check.h>
 #include <explore-mrpt/interrupt.h>
-#include <explore-mrpt/pace.h>
 #include <explore-mrpt/run.h>
-#include <explore-mrpt/run_outputs.h>
-#include <explore-mrpt/run_truth.h>
+#include <explore-mrpt/run_input.h>
+#include <explore-mrpt/run_state.h>
 #include <explore/core/errors.h>
 
 namespace explore::app
 {
 namespace
 {
-/** The two ends and what is counted between them. */
-struct Run
-{
-	const Options& options;
-	const AppConfig& config;
-	FrameSource& source;
-	ClosedLoopSource* robot = nullptr;  ///< the same, where it takes commands
-	RunOutputs& outputs;
-	ConsoleLogger& logger;
-	DepthCheck depth_check;
-	Pace pace;
-	RunTruth truth;
-	TimingRecord timing;
-	RunTally tally;
-	ExplorerState state;
-};
-
 /** Why no frame came. */
 std::string reasonOfEnd(const Run& run)
 {
@@ -88,12 +65,13 @@ std::string exploreAll(Run& run)
 	const auto start = std::chrono::steady_clock::now();
 	while (signalReceived() == 0)
 	{
-		if (run.options.max_frames && run.tally.frames >= *run.options.max_frames) return "max frames";
+		if (run.options.max_frames && run.tally.frames >= *run.options.max_frames) return std::string(kMaxFrames);
 		if (auto reason = exploreOneFrame(run)) return *std::move(reason);
+		if (run.keeper.due()) keepState(run);
 		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 		run.logger.status().update(progressOf(run), elapsed.count());
 	}
-	return "interrupted";
+	return std::string(kInterrupted);
 }
 
 InputSummary inputSummary(const SourceReport& report)
@@ -135,6 +113,7 @@ RunSummary exploreAndSum(Run& run)
 		RunSummary summary = summaryOf(run, reason);
 		writeMap(run);
 		run.outputs.finish(summary);
+		keepLastState(run, reason);
 		return summary;
 	}
 	catch (const std::exception& error)
@@ -151,31 +130,6 @@ RunSummary exploreAndSum(Run& run)
 		}
 		throw;
 	}
-}
-
-std::unique_ptr<FrameSource> openRecording(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
-{
-	SourceConfig source = loaded.config.source;
-	if (source.rawlog.empty())
-		throw ConfigError("no input: name a recording with --rawlog, or in the ini with [source] rawlog");
-	if (options.rawlog.empty()) source.rawlog = findRawlogOfIni(source.rawlog, loaded.ini).string();
-	return std::make_unique<MountedSource>(makeSource(source, logger), source.camera.mount,
-	                                       loaded.config.explorer.perception, logger);
-}
-
-/** Where the frames come from, and the same as a robot where it is one. */
-struct Input
-{
-	std::unique_ptr<FrameSource> source;
-	ClosedLoopSource* robot = nullptr;
-};
-
-Input openInput(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
-{
-	if (loaded.config.source.kind == SourceKind::rawlog) return {openRecording(loaded, options, logger)};
-	auto simulator = openSimulator(loaded, logger);
-	ClosedLoopSource* const robot = simulator.get();
-	return {std::move(simulator), robot};
 }
 
 int exitCode(const RunSummary& summary, ConsoleLogger& logger)
@@ -197,35 +151,62 @@ void print(const std::string& text)
 {
 	OutputFile::standardOutput().write(text);
 }
-}  // namespace
 
-int run(const Options& options)
+/** A new run, or the rest of the one that `checkpoint` is of. */
+int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint* checkpoint)
 {
-	catchSignals();
-	const LoadedConfig loaded = loadConfig(options);
-	if (options.dump_config)
-	{
-		print(dumpConfig(loaded.config));
-		return kDone;
-	}
 	ConsoleLogger logger(options);
-	const Input input = openInput(loaded, options, logger);
-	RunOutputs outputs(options, loaded.config);
+	const RunInput input = openInput(loaded, options, logger);
+	RunOutputs outputs(options, loaded.config, checkpoint != nullptr ? std::optional(checkpoint->files) : std::nullopt);
+	RunBeginning beginning = checkpoint != nullptr ? checkpoint->beginning : beginningOf(options, loaded);
+	beginning.max_frames = options.max_frames;
+	beginning.realtime = options.realtime;
+	CheckpointKeeper keeper(outputs.paths() ? std::optional(outputs.paths()->state) : std::nullopt,
+	                        loaded.config.output.checkpoint_period_s);
 	Run run{options,
 	        loaded.config,
 	        *input.source,
 	        input.robot,
 	        outputs,
 	        logger,
+	        beginning,
+	        keeper,
 	        DepthCheck(loaded.config.explorer),
-	        {},
-	        RunTruth(input.robot),
-	        {},
-	        {},
-	        {}};
+	        RunTruth(input.robot)};
+	if (checkpoint != nullptr) goOnFrom(*checkpoint, run);
 	const RunSummary summary = exploreAndSum(run);
 	const bool wants_summary = !options.quiet && !options.toStandardOutput();
 	if (wants_summary) print(summaryText(summary) + "  results in " + options.out + "\n");
 	return exitCode(summary, logger);
+}
+
+/** The rest of a run, in the folder that it was begun in: names mean what they meant then. */
+int resume(Options options)
+{
+	options.resume = std::filesystem::absolute(options.resume).string();
+	const Checkpoint checkpoint = readCheckpoint(options.resume);
+	if (!checkpoint.end.empty())
+	{
+		if (!options.quiet)
+			print("The run is over already: " + checkpoint.end + "\n  results in " + options.resume + "\n");
+		return kDone;
+	}
+	std::error_code error;
+	std::filesystem::current_path(checkpoint.beginning.working_folder, error);
+	if (error)
+		throw InputError(checkpoint.beginning.working_folder +
+		                 ": the run was begun in this folder, which cannot be entered: " + error.message());
+	return runFrom(continuedOptions(options, checkpoint.beginning), loadedConfig(checkpoint.beginning), &checkpoint);
+}
+}  // namespace
+
+int run(const Options& options)
+{
+	catchSignals();
+	if (!options.resume.empty()) return resume(options);
+	const LoadedConfig loaded = loadConfig(options);
+	if (!options.dump_config) return runFrom(options, loaded, nullptr);
+	print(dumpConfig(loaded.config));
+	return kDone;
 }
 }  // namespace explore::app

@@ -6,26 +6,49 @@ namespace explore::app
 {
 namespace
 {
-std::optional<OutputPaths> makeFolder(const Options& options)
+std::optional<OutputPaths> makeFolder(const Options& options, bool continues)
 {
 	if (options.toStandardOutput()) return std::nullopt;
-	return prepareOutputFolder(options.out);
+	return continues ? continueOutputFolder(options.out) : prepareOutputFolder(options.out);
+}
+
+/** A new file, or the one that is there. */
+OutputFile open(const std::filesystem::path& path, const std::optional<OutputSizes>& continued,
+                std::uint64_t OutputSizes::*bytes)
+{
+	return continued ? OutputFile::continued(path, (*continued).*bytes) : OutputFile(path);
+}
+
+TimingCsv openTiming(const std::filesystem::path& path, const std::optional<OutputSizes>& continued)
+{
+	const std::vector<std::string> stages{"read", "perceive", "remember", "choose", "avoid", "heading", "write"};
+	return continued ? TimingCsv(path, stages, continued->timing) : TimingCsv(path, stages);
 }
 }  // namespace
 
-RunOutputs::RunOutputs(const Options& options, const AppConfig& config)
-    : m_paths(makeFolder(options)), m_frames(m_paths ? OutputFile(m_paths->frames) : OutputFile::standardOutput())
+RunOutputs::RunOutputs(const Options& options, const AppConfig& config, const std::optional<OutputSizes>& continued)
+    : m_paths(makeFolder(options, continued.has_value())),
+      m_frames(m_paths ? open(m_paths->frames, continued, &OutputSizes::frames) : OutputFile::standardOutput())
 {
 	if (!m_paths) return;
 	const OutputConfig& output = config.output;
-	if (output.timing)
-		m_timing.emplace(m_paths->timing, std::vector<std::string>{"read", "perceive", "remember", "choose", "avoid",
-		                                                           "heading", "write"});
-	if (output.trajectory) m_trajectory.emplace(m_paths->trajectory);
-	if (output.trajectory && config.source.kind == SourceKind::simulator) m_truth.emplace(m_paths->truth);
+	if (output.timing) m_timing.emplace(openTiming(m_paths->timing, continued));
+	if (output.trajectory) m_trajectory.emplace(open(m_paths->trajectory, continued, &OutputSizes::trajectory));
+	if (output.trajectory && config.source.kind == SourceKind::simulator)
+		m_truth.emplace(open(m_paths->truth, continued, &OutputSizes::truth));
 	if (output.pictures_every > 0)
 		m_pictures.emplace(m_paths->pictures, output.pictures_every,
 		                   PictureConfig{config.explorer.perception.range_filter.max_range_m, config.explorer.robot});
+}
+
+OutputSizes RunOutputs::sizes() const
+{
+	OutputSizes sizes;
+	sizes.frames = m_frames.bytes();
+	if (m_timing) sizes.timing = m_timing->bytes();
+	if (m_trajectory) sizes.trajectory = m_trajectory->bytes();
+	if (m_truth) sizes.truth = m_truth->bytes();
+	return sizes;
 }
 
 void RunOutputs::write(const DepthFrame& frame, const StepResult& result)

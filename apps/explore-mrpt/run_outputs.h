@@ -2,6 +2,7 @@
 #pragma once
 
 #include <common/app_config.h>
+#include <explore-mrpt/checkpoint.h>
 #include <explore-mrpt/options.h>
 #include <explore/sinks/frame_picture.h>
 #include <explore/sinks/map_files.h>
@@ -16,8 +17,13 @@ namespace explore::app
 class RunOutputs
 {
 public:
-	/** Makes the folder ready, so that an unwritable one is noticed before any work. */
-	RunOutputs(const Options& options, const AppConfig& config);
+	/** Makes the folder ready, so that an unwritable one is noticed before any work. With `continued`, goes on in the
+	 *  files of the run that is there, after so many bytes of each; throws InputError where they are not there. */
+	RunOutputs(const Options& options, const AppConfig& config, const std::optional<OutputSizes>& continued = {});
+
+	/** No value where there is no folder. */
+	[[nodiscard]] const std::optional<OutputPaths>& paths() const { return m_paths; }
+	[[nodiscard]] OutputSizes sizes() const;
 
 	void write(const DepthFrame& frame, const StepResult& result);
 	void writeTimes(std::size_t frame, const StageTimes& times_ms);

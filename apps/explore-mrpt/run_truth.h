@@ -24,6 +24,12 @@ public:
 	void add(const DepthFrame& frame, const StepResult& result, bool goal_lost);
 	/** Of the frames so far. Coverage is that of `map`, where there is one. */
 	[[nodiscard]] std::optional<TruthSummary> summary(const octomap::OcTree* map) const;
+	/** Writes or reads what add() changes. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_watch);
+	}
 
 private:
 	const ClosedLoopSource* m_robot;

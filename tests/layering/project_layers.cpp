@@ -42,7 +42,7 @@ std::vector<Layer> projectLayers()
 	     "apps/",
 	     {"core", "truth", "config", "perception", "memory", "navigation", "pipeline", "sources", "sinks", "evaluation",
 	      "simulation"},
-	     {"mrpt", "Eigen", "nlohmann", "CLI"},
+	     {"mrpt", "Eigen", "nlohmann", "CLI", "zlib.h"},
 	     false},
 	};
 }

@@ -35,11 +35,19 @@ public:
 	 *  reached (the robot within 0.5 m of it on the floor plan) nor lost (doc/definitions.md, "Goal flip"). */
 	[[nodiscard]] std::size_t flips() const { return m_flips; }
 
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_start_in_map), archive(m_robot_in_map), archive(m_path_m), archive(m_goal_in_map);
+		archive(m_goal_done), archive(m_left), archive(m_flips);
+	}
+
 private:
 	struct Left
 	{
-		double t_s;
-		Eigen::Vector3d place_in_map;
+		double t_s = 0;
+		Eigen::Vector3d place_in_map = Eigen::Vector3d::Zero();
 	};
 	void follow(const WatchedFrame& frame);
 	void change(const WatchedFrame& frame);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace explore
@@ -83,6 +84,23 @@ void BlockStore::writeAll()
 {
 	for (VoxelBlock* block : blocks()) write(*block);
 	updateInnerNodes(*m_tree);
+}
+
+std::string BlockStore::treeBytes()
+{
+	for (VoxelBlock* block : blocks()) write(*block);
+	if (m_tree->getRoot() == nullptr) return {};
+	std::ostringstream bytes;
+	m_tree->writeData(bytes);
+	return std::move(bytes).str();
+}
+
+void BlockStore::readTree(const std::string& bytes)
+{
+	m_tree->clear();
+	if (bytes.empty()) return;
+	std::istringstream stream(bytes);
+	m_tree->readData(stream);
 }
 
 std::vector<VoxelBlock*> BlockStore::blocks() const

@@ -5,6 +5,7 @@
 #include <octomap/OcTree.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace explore
@@ -55,7 +56,20 @@ public:
 	[[nodiscard]] const GridKey& first() const { return m_first; }
 	[[nodiscard]] int edge() const { return m_edge; }
 
+	/** Writes the whole map, or reads it into an empty store that was made alike. What the tree does not have, the
+	 *  stations of blocks, is left out. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		std::string tree = Archive::kReads ? std::string() : treeBytes();
+		archive(m_first), archive(tree);
+		if (Archive::kReads) readTree(tree);
+	}
+
 private:
+	/** All blocks written, in OctoMap's own format without its header; empty for an empty tree. */
+	[[nodiscard]] std::string treeBytes();
+	void readTree(const std::string& bytes);
 	VoxelBlock& spareBlock();
 
 	std::unique_ptr<octomap::OcTree> m_tree;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace explore
@@ -61,6 +62,16 @@ public:
 	[[nodiscard]] const std::vector<std::size_t>& changedCells() const { return m_changed; }
 	/** How many calls of update() and rebuild() there were. */
 	[[nodiscard]] std::uint64_t revision() const { return m_revision; }
+
+	/** Writes or reads all that goes on from call to call, for layers that were made alike. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_frame), archive(m_states), archive(m_stood), archive(m_changed), archive(m_revision);
+		static_assert(std::has_unique_object_representations_v<Counts>, "its bytes are its value");
+		m_counts.resize(m_states.size());
+		archive.raw(m_counts.data(), m_counts.size() * sizeof(Counts));
+	}
 
 private:
 	/** Numbers of voxels along z. */

@@ -39,6 +39,15 @@ struct FrontierMemory
 	CorridorTracks corridors;
 };
 
+/** Writes a memory, or reads it into an empty one that was made alike: both go on in the same way then. */
+template <class Archive>
+void exchange(Archive& archive, FrontierMemory& memory)
+{
+	auto& [map, layers, frontiers, doors, corridors] = memory;  // all there is
+	archive(map), archive(layers), archive(doors), archive(corridors);
+	if (Archive::kReads) frontiers.update(layers);
+}
+
 /** Adds one frame and what was perceived in it, whose doors and vanishing points get the numbers of their tracks. The
  * frame's pose is taken as it is. */
 void remember(FrontierMemory& memory, const DepthFrame& frame, Percepts& percepts, const RobotConfig& robot,

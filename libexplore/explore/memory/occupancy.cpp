@@ -164,6 +164,34 @@ VoxelBox Occupancy::statesIn(const Eigen::AlignedBox3d& box_in_map) const
 	return box;
 }
 
+std::vector<Occupancy::RecentHits> Occupancy::recentHits() const
+{
+	std::vector<RecentHits> all;
+	for (const VoxelBlock* block : m_store.blocks())
+	{
+		if (!m_stations.isRecent(block->last_station)) continue;
+		RecentHits& hits = all.emplace_back(RecentHits{block->key, block->last_station, {}, {}});
+		for (int place = 0; place < kBlockVoxels; ++place)
+		{
+			const std::uint16_t station = block->hit_station[static_cast<std::size_t>(place)];
+			if (!m_stations.isRecent(station)) continue;
+			hits.places.push_back(static_cast<std::uint16_t>(place));
+			hits.stations.push_back(station);
+		}
+	}
+	return all;
+}
+
+void Occupancy::takeRecentHits(const std::vector<RecentHits>& hits)
+{
+	for (const RecentHits& of : hits)
+	{
+		VoxelBlock& block = m_store.fetch(of.block);
+		block.last_station = of.last_station;
+		for (std::size_t i = 0; i < of.places.size(); ++i) block.hit_station[of.places[i]] = of.stations[i];
+	}
+}
+
 const octomap::OcTree& Occupancy::tree()
 {
 	m_store.writeAll();

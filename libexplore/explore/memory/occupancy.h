@@ -58,7 +58,26 @@ public:
 	const octomap::OcTree& tree();
 	[[nodiscard]] double resolution_m() const { return m_config.resolution_m; }
 
+	/** Writes all that insert() goes on from, or reads it into an empty map that was made alike. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_stations), archive(m_store);
+		std::vector<RecentHits> hits = Archive::kReads ? std::vector<RecentHits>() : recentHits();
+		archive(hits);
+		if (Archive::kReads) takeRecentHits(hits);
+	}
+
 private:
+	/** What a block has beside its log-odds: which voxels were hit from the recent stations. */
+	struct RecentHits
+	{
+		GridKey block = GridKey::Zero();
+		std::uint16_t last_station = 0;
+		std::vector<std::uint16_t> places, stations;
+	};
+	[[nodiscard]] std::vector<RecentHits> recentHits() const;
+	void takeRecentHits(const std::vector<RecentHits>& hits);
 	void enterStation(const FrameRays& rays);
 	void apply(VoxelBlock& block);
 	void miss(const MissedVoxel& voxel);

@@ -19,6 +19,8 @@ public:
 	/** Whoever is farther than this from where he was is at none of the recent stations. */
 	static constexpr double kForgotten_m = kHop_m * (kRecent + 1);
 
+	Stations() { m_origins.fill(Eigen::Vector3d::Zero()); }
+
 	/** Returns whether the numbers had to begin anew: all that were given out before are to be forgotten. */
 	bool moveTo(const Eigen::Vector3d& camera_in_map);
 
@@ -28,8 +30,15 @@ public:
 	/** Where a recent station began, map frame [m]. */
 	[[nodiscard]] const Eigen::Vector3d& origin(std::uint16_t station) const { return m_origins[station % kRecent]; }
 
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_current), archive(m_origins);
+	}
+
 private:
 	std::uint16_t m_current = 0;
-	std::array<Eigen::Vector3d, kRecent> m_origins{};
+	std::array<Eigen::Vector3d, kRecent> m_origins;
 };
 }  // namespace explore

@@ -21,7 +21,7 @@ struct ExplorerState
 	std::optional<Ground> last_ground;
 	PerceptionMemory perception;
 	NearFieldGuard guard;
-	double speed_mps = 0;  ///< last commanded
+	double speed_mps = 0;                    ///< last commanded
 	std::unique_ptr<FrontierMemory> memory;  ///< from the first frame with a pose on
 	Mission mission;
 	Steering steering;
@@ -33,6 +33,21 @@ struct StepResult
 	Decision decision;
 	bool finished = false;  ///< the exploration is over: nothing is left to do for the robot
 };
+
+/** Writes a state, or reads it into an empty one: explorers of the same configuration go on from both in the same way.
+ */
+template <class Archive>
+void exchange(Archive& archive, ExplorerState& state, const ExplorerConfig& config)
+{
+	auto& [last_timestamp, last_ground, perception, guard, speed_mps, memory, mission, steering] =
+	    state;  // all there is
+	archive(last_timestamp), archive(last_ground), archive(perception), archive(guard), archive(speed_mps);
+	archive(mission), archive(steering);
+	bool remembers = memory != nullptr;
+	archive(remembers);
+	if (remembers && !memory) memory = std::make_unique<FrontierMemory>(config.memory, config.robot);
+	if (remembers) archive(*memory);
+}
 
 /** Called when a stage has ended, with its name; lets the caller measure time without a clock in here. */
 using StageEnded = std::function<void(std::string_view stage)>;

@@ -33,6 +33,14 @@ public:
 	 *  each reading of the IMU. 1 m stands for all that is farther. */
 	[[nodiscard]] std::optional<double> minClearance() const { return m_min_clearance_m; }
 
+	/** Writes or reads all that a loop that was made alike needs to go on from here. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_robot), archive(m_frames), archive(m_command), archive(m_next_command);
+		archive(m_next_command_at_s), archive(m_min_clearance_m);
+	}
+
 private:
 	void goOnTo(double t_s, const ObservationSink& imu);
 	void watchClearance(const Eigen::Vector3d& before);

@@ -26,6 +26,12 @@ public:
 	[[nodiscard]] bool empty() const { return m_movers.empty(); }
 	/** map_from_body in the order of World::moving, for RayScene::place. */
 	[[nodiscard]] std::vector<Eigen::Isometry3d> placement() const;
+	/** Writes or reads what advance() changes. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		for (Mover& mover : m_movers) archive(mover.t_s), archive(mover.direction), archive(mover.waited_s);
+	}
 
 private:
 	struct Mover

@@ -6,8 +6,12 @@
 #include <explore/simulation/random.h>
 #include <explore/simulation/robot_motion.h>
 
+#include <type_traits>
+
 namespace explore::simulation
 {
+static_assert(std::has_unique_object_representations_v<Random>, "archives take its bytes for its value");
+
 /** Adds up a robot's true movements with errors. A ground robot knows x, y and yaw from its wheels; a MAV's filter also
  *  knows its altitude, roll and pitch, whose errors do not grow. */
 class Odometry
@@ -21,6 +25,14 @@ public:
 	 * the error's distribution is the same. */
 	void moveTo(const mrpt::poses::CPose3D& map_from_robot, double dt_s);
 	[[nodiscard]] mrpt::poses::CPose3D estimate() const;
+	/** Writes or reads what moveTo() changes. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_true), archive(m_position), archive(m_yaw_rad);
+		for (Wander* wander : {&m_height, &m_pitch, &m_roll}) archive(wander->value);
+		archive.raw(&m_random, sizeof(m_random));
+	}
 
 private:
 	/** An error that wanders within its standard deviation and forgets within about a second. */
@@ -54,6 +66,12 @@ public:
 	 */
 	ImuReading read(const mrpt::poses::CPose3D& map_from_before, const mrpt::poses::CPose3D& map_from_robot,
 	                const Eigen::Vector3d& acceleration_mps2, double dt_s);
+	/** Writes or reads what read() changes; the biases follow from the seed. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive.raw(&m_random, sizeof(m_random));
+	}
 
 private:
 	Eigen::Vector3d noise(double sigma);

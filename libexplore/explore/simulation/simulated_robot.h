@@ -42,6 +42,15 @@ public:
 	/** Whether the robot's body would touch anything now if it were there. */
 	[[nodiscard]] bool touchesAt(const Eigen::Vector3d& position_in_map) const;
 
+	/** Writes or reads what advance() changes, for a robot in the same world that was made alike. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_state), archive(m_movers), archive(m_odometry), archive(m_imu), archive(m_imu_reading);
+		archive(m_contacts), archive(m_in_contact);
+		if (Archive::kReads && !m_movers.empty()) m_scene->place(m_movers.placement());
+	}
+
 private:
 	void step(const Command& command, double dt_s);
 	void moveMovers(double dt_s);

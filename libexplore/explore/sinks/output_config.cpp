@@ -9,5 +9,7 @@ void describe(FieldVisitor& fields, OutputConfig& config)
 	fields.flag("trajectory", config.trajectory, "Write trajectory.tum: map_from_robot of every frame");
 	fields.integer("pictures_every", config.pictures_every, {0, 1'000'000}, "frames",
 	               "Draw every n-th frame into pictures/NNNNNN.png; 0 = none");
+	fields.real("checkpoint_period", config.checkpoint_period_s, {0.0, 3600.0}, "s",
+	            "Keep what --resume goes on from in state/ so often; 0 = never");
 }
 }  // namespace explore

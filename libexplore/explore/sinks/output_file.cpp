@@ -33,6 +33,23 @@ OutputFile::OutputFile(std::string name, int descriptor, bool owned)
 {
 }
 
+OutputFile OutputFile::continued(const std::filesystem::path& path, std::uintmax_t bytes)
+{
+	// NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the system's own interface
+	const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+	if (descriptor < 0)
+		throw InputError(path.string() + ": cannot be continued: " + std::system_category().message(errno));
+	OutputFile file(path.string(), descriptor, true);
+	const off_t end = ::lseek(descriptor, 0, SEEK_END);
+	if (end < 0 || static_cast<std::uintmax_t>(end) < bytes)
+		throw InputError(path.string() + ": cannot be continued: at least " + std::to_string(bytes) +
+		                 " bytes were there when the state of the run was kept");
+	file.m_whole_bytes = bytes;
+	if (::ftruncate(descriptor, static_cast<off_t>(bytes)) != 0) fail(path.string(), "cut", errno);
+	if (::lseek(descriptor, 0, SEEK_END) < 0) fail(path.string(), "continue", errno);
+	return file;
+}
+
 OutputFile OutputFile::standardOutput()
 {
 	return {"standard output", STDOUT_FILENO, false};
@@ -89,10 +106,25 @@ void OutputFile::failWriting(int error)
 	fail(m_name, "write", error);
 }
 
+void OutputFile::sync() const
+{
+	if (::fsync(m_descriptor) != 0) fail(m_name, "write", errno);
+}
+
 void OutputFile::close()
 {
 	const int descriptor = std::exchange(m_descriptor, -1);
 	if (m_owned && descriptor >= 0 && ::close(descriptor) != 0) fail(m_name, "close", errno);
+}
+
+void syncFile(const std::filesystem::path& path)
+{
+	// NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the system's own interface
+	const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+	if (descriptor < 0) fail(path.string(), "open", errno);
+	const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+	::close(descriptor);
+	if (error != 0) fail(path.string(), "write", error);
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text)
@@ -101,6 +133,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
 	unfinished += ".part";
 	OutputFile file(unfinished);
 	file.write(text);
+	file.sync();
 	file.close();
 	std::error_code error;
 	std::filesystem::rename(unfinished, path, error);

@@ -14,6 +14,9 @@ class OutputFile
 public:
 	/** Creates the file, or empties it. */
 	explicit OutputFile(const std::filesystem::path& path);
+	/** Goes on in a file that an earlier run left, after its first `bytes`; what comes later is cut off. Throws
+	 *  InputError where the file is not there or shorter. */
+	static OutputFile continued(const std::filesystem::path& path, std::uintmax_t bytes);
 	/** Standard output under the name "standard output"; it stays open. */
 	static OutputFile standardOutput();
 
@@ -26,6 +29,10 @@ public:
 	/** Hands all of `text` to the system before it returns: what was written survives a crash of this program. When it
 	 *  fails, the file is cut back to the texts that were written whole. */
 	void write(std::string_view text);
+	/** Of all texts so far. */
+	[[nodiscard]] std::uintmax_t bytes() const { return m_whole_bytes; }
+	/** Returns when all of it is where a power cut leaves it. */
+	void sync() const;
 	/** Closes the file; some file systems report a failed write only here. Nothing may be written afterwards. */
 	void close();
 
@@ -40,6 +47,10 @@ private:
 	std::uintmax_t m_whole_bytes = 0;
 };
 
-/** Puts `text` into the file at `path` in one step: whoever opens it sees the old content or the new, never a part. */
+/** Returns when all that was written to the file is where a power cut leaves it, whoever wrote it. */
+void syncFile(const std::filesystem::path& path);
+
+/** Puts `text` into the file at `path` in one step: whoever opens it sees the old content or the new, never a part,
+ * also after a power cut. */
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 }  // namespace explore

@@ -24,6 +24,11 @@ bool isPictureOfOurs(const fs::path& path)
 	return path.extension() == ".png" && stem.size() >= 6 &&
 	       std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
+
+bool isStateOfOurs(const fs::path& path)
+{
+	return path.stem() == "checkpoint";
+}
 }  // namespace
 
 void makeFolder(const fs::path& folder)
@@ -65,16 +70,24 @@ OutputPaths outputPaths(const fs::path& folder)
 	        folder / "map.ot",
 	        folder / "map.bt",
 	        folder / "map.pgm",
-	        folder / "map.yaml"};
+	        folder / "map.yaml",
+	        folder / "state" / "checkpoint"};
+}
+
+OutputPaths continueOutputFolder(const fs::path& folder)
+{
+	OutputPaths paths = outputPaths(folder);
+	for (const fs::path* file : {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml})
+		removeOldFile(*file);
+	return paths;
 }
 
 OutputPaths prepareOutputFolder(const fs::path& folder)
 {
 	makeFolder(folder);
-	OutputPaths paths = outputPaths(folder);
-	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.summary, &paths.trajectory, &paths.truth,
-	                             &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml})
-		removeOldFile(*file);
+	OutputPaths paths = continueOutputFolder(folder);
+	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.trajectory, &paths.truth}) removeOldFile(*file);
+	removeOldFiles(paths.state.parent_path(), isStateOfOurs);
 	removeOldFiles(paths.pictures, isPictureOfOurs);
 	return paths;
 }

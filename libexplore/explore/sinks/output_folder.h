@@ -10,7 +10,7 @@ namespace explore
 struct OutputPaths
 {
 	std::filesystem::path folder, frames, timing, summary, trajectory, pictures, truth, map_ot, map_bt, map_pgm,
-	    map_yaml;
+	    map_yaml, state;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
 
@@ -26,4 +26,6 @@ void removeOldFiles(const std::filesystem::path& folder, const std::function<boo
 /** Creates the folder where it is missing and removes the files of an earlier run, so that nothing old can be taken for
  *  new; every other file stays. Throws OutputError when `folder` is a file, or cannot be created or cleared. */
 OutputPaths prepareOutputFolder(const std::filesystem::path& folder);
+/** For a run that goes on: removes what only its end writes, and keeps all else. Throws OutputError. */
+OutputPaths continueOutputFolder(const std::filesystem::path& folder);
 }  // namespace explore

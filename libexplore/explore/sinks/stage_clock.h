@@ -42,6 +42,12 @@ public:
 	void add(const StageTimes& times_ms);
 	/** Median (mean of the middle two) and 99th percentile (nearest rank) by stage. */
 	[[nodiscard]] std::map<std::string, StageStatistics> statistics() const;
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_times_ms);
+	}
 
 private:
 	std::map<std::string, std::vector<float>, std::less<>> m_times_ms;

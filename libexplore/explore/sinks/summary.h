@@ -32,6 +32,15 @@ public:
 	/** From the first to the last frame, by their time stamps; no value without frames. */
 	[[nodiscard]] std::optional<double> time_s() const;
 
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(frames), archive(frames_with_ground), archive(frames_with_door), archive(frames_stopped);
+		archive(doors_in_view), archive(goal);
+		archive(m_first), archive(m_last), archive(m_position_in_map), archive(m_path_m);
+	}
+
 private:
 	std::optional<mrpt::Clock::time_point> m_first, m_last;
 	std::optional<Eigen::Vector3d> m_position_in_map;

@@ -14,6 +14,12 @@ TimingCsv::TimingCsv(const std::filesystem::path& path, std::vector<std::string>
 	m_file.write(header + '\n');
 }
 
+TimingCsv::TimingCsv(const std::filesystem::path& path, std::vector<std::string> stages, std::uintmax_t bytes)
+    : m_file(OutputFile::continued(path, bytes)), m_columns(std::move(stages))
+{
+	m_columns.emplace_back(kTotalStage);
+}
+
 void TimingCsv::write(std::size_t frame, const StageTimes& times_ms)
 {
 	std::string row = std::to_string(frame);

@@ -9,6 +9,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace explore
 {
@@ -26,6 +27,14 @@ public:
 	 *  9.8 ± 1.5 m/s² (else the robot accelerates, or the sensor is wrong). */
 	[[nodiscard]] std::optional<Eigen::Vector3d> upAt(LogTime time) const;
 	void forgetBefore(LogTime time);
+	/** Writes or reads all of it. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		std::vector<Sample> samples(m_samples.begin(), m_samples.end());
+		archive(m_label), archive(samples);
+		m_samples.assign(samples.begin(), samples.end());
+	}
 
 private:
 	struct Sample

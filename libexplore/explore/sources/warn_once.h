@@ -5,6 +5,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace explore
 {
@@ -17,6 +18,14 @@ public:
 	void operator()(const std::string& kind, const std::string& text)
 	{
 		if (m_said.insert(kind).second) m_logger->logStr(mrpt::system::LVL_WARN, text);
+	}
+	/** Writes or reads what was warned of. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		std::vector<std::string> said(m_said.begin(), m_said.end());
+		archive(said);
+		m_said = {said.begin(), said.end()};
 	}
 	void info(const std::string& text) { m_logger->logStr(mrpt::system::LVL_INFO, text); }
 

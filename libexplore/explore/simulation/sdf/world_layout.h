@@ -1,7 +1,7 @@
 // How a world falls into bytes.
 #pragma once
 
-#include <explore/simulation/sdf/byte_archive.h>
+#include <explore/core/byte_archive.h>
 #include <explore/simulation/world.h>
 
 namespace explore::simulation

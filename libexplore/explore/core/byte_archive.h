@@ -1,10 +1,16 @@
 // Values as bytes and back, for files that only the machine that wrote them reads.
 #pragma once
 
+#include <explore/core/for_each_field.h>
+#include <mrpt/core/Clock.h>
+#include <mrpt/poses/CPose3D.h>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,18 +18,26 @@
 #include <utility>
 #include <vector>
 
-namespace explore::simulation
+namespace explore
 {
 /** Types whose bytes are their value. */
 template <class Value>
 inline constexpr bool kPlain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+template <class Scalar, int kRows, int kColumns>
+inline constexpr bool kPlain<Eigen::Matrix<Scalar, kRows, kColumns>> = kRows > 0 && kColumns > 0;
 template <class Scalar, int kRows>
-inline constexpr bool kPlain<Eigen::Matrix<Scalar, kRows, 1>> = kRows > 0;
+inline constexpr bool kPlain<Eigen::Array<Scalar, kRows, 1>> = kRows > 0;
 template <class Value, std::size_t kSize>
 inline constexpr bool kPlain<std::array<Value, kSize>> = kPlain<Value>;
 
-/** The shared part of ByteWriter and ByteReader: how composed values fall into plain ones. Structs have a function
- *  template exchange(archive, struct&) of their own beside them. */
+/** The pose made of the same numbers: its place, its rotation and its angles are all what they were, to the last bit.
+ */
+mrpt::poses::CPose3D poseFrom(const Eigen::Vector3d& place, const Eigen::Matrix3d& rotation,
+                              const Eigen::Vector3d& yaw_pitch_roll);
+
+/** The shared part of ByteWriter and ByteReader: how composed values fall into plain ones. A class with private members
+ *  has a member template exchange(archive); a struct may have a function template exchange(archive, struct&) beside it,
+ *  else it falls into its fields, however many it has. What is exchanged is written or read: one list for both ways. */
 template <class Archive>
 class ByteArchive
 {
@@ -33,8 +47,12 @@ public:
 	{
 		if constexpr (kPlain<Value>)
 			self().raw(&value, sizeof(value));
-		else
+		else if constexpr (requires { value.exchange(self()); })
+			value.exchange(self());
+		else if constexpr (requires { exchange(self(), value); })
 			exchange(self(), value);
+		else
+			forEachField(value, [this](auto& field) { (*this)(field); });
 	}
 	void operator()(bool& flag)
 	{
@@ -43,6 +61,27 @@ public:
 		flag = byte != 0;
 	}
 	void operator()(std::string& text) { blocks(text, 1); }
+	void operator()(mrpt::Clock::time_point& time)
+	{
+		auto ticks = time.time_since_epoch().count();
+		(*this)(ticks);
+		time = mrpt::Clock::time_point(mrpt::Clock::duration(ticks));
+	}
+	void operator()(mrpt::poses::CPose3D& pose)
+	{
+		Eigen::Vector3d place(pose.x(), pose.y(), pose.z()), angles(pose.yaw(), pose.pitch(), pose.roll());
+		Eigen::Matrix3d rotation = pose.getRotationMatrix().asEigen();
+		(*this)(place), (*this)(rotation), (*this)(angles);
+		if (Archive::kReads) pose = poseFrom(place, rotation, angles);
+	}
+	void operator()(Eigen::Isometry3d& transform) { (*this)(transform.matrix()); }
+	template <class Key, class Value, class Less>
+	void operator()(std::map<Key, Value, Less>& values)
+	{
+		std::vector<std::pair<Key, Value>> items(values.begin(), values.end());
+		(*this)(items);
+		if (Archive::kReads) values = {items.begin(), items.end()};
+	}
 	template <class First, class Second>
 	void operator()(std::pair<First, Second>& both)
 	{
@@ -56,6 +95,14 @@ public:
 		if (there && !value) value.emplace();
 		if (!there) value.reset();
 		if (value) (*this)(*value);
+	}
+	template <class Value, std::size_t kSize>
+	void operator()(std::array<Value, kSize>& values)
+	{
+		if constexpr (kPlain<Value>)
+			self().raw(values.data(), sizeof(values));
+		else
+			for (Value& value : values) (*this)(value);
 	}
 	template <class Value>
 	void operator()(std::vector<Value>& values)
@@ -90,6 +137,8 @@ private:
 class ByteWriter : public ByteArchive<ByteWriter>
 {
 public:
+	static constexpr bool kReads = false;
+
 	[[nodiscard]] const std::string& bytes() const { return m_bytes; }
 	void raw(const void* data, std::size_t size)
 	{
@@ -105,10 +154,14 @@ private:
 class ByteReader : public ByteArchive<ByteReader>
 {
 public:
+	static constexpr bool kReads = true;
+
 	/** `bytes` outlive it. */
 	explicit ByteReader(std::string_view bytes) : m_bytes(bytes) {}
 	[[nodiscard]] bool good() const { return m_good; }
 	[[nodiscard]] bool atEnd() const { return m_bytes.empty(); }
+	/** What was not read yet. */
+	[[nodiscard]] std::string_view rest() const { return m_bytes; }
 	void raw(void* data, std::size_t size)
 	{
 		m_good = m_good && size <= m_bytes.size();
@@ -128,4 +181,4 @@ private:
 	std::string_view m_bytes;
 	bool m_good = true;
 };
-}  // namespace explore::simulation
+}  // namespace explore

@@ -1,0 +1,36 @@
+#include <common/input_paths.h>
+#include <common/mounted_source.h>
+#include <explore-mrpt/run_input.h>
+#include <explore/core/errors.h>
+
+namespace explore::app
+{
+namespace
+{
+std::unique_ptr<FrameSource> openRecording(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
+{
+	SourceConfig source = loaded.config.source;
+	if (source.rawlog.empty())
+		throw ConfigError("no input: name a recording with --rawlog, or in the ini with [source] rawlog");
+	if (options.rawlog.empty()) source.rawlog = findRawlogOfIni(source.rawlog, loaded.ini).string();
+	return std::make_unique<MountedSource>(makeSource(source, logger), source.camera.mount,
+	                                       loaded.config.explorer.perception, logger);
+}
+}  // namespace
+
+RunInput openInput(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
+{
+	if (loaded.config.source.kind == SourceKind::rawlog) return {openRecording(loaded, options, logger)};
+	auto simulator = openSimulator(loaded, logger);
+	ClosedLoopSource* const robot = simulator.get();
+	return {std::move(simulator), robot};
+}
+
+void passOver(FrameSource& recording, std::size_t frames)
+{
+	for (std::size_t i = 0; i < frames; ++i)
+		if (!recording.next())
+			throw InputError(recording.report().path + ": has " + std::to_string(i) + " frames, but the run had read " +
+			                 std::to_string(frames) + " of it: it is not the same recording");
+}
+}  // namespace explore::app
