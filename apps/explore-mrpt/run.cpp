@@ -121,8 +121,8 @@ RunSummary exploreAndSum(Run& run)
 		run.logger.status().finish();
 		try
 		{
-			writeMap(run);
 			run.outputs.finish(summaryOf(run, std::string("error: ") + error.what()));
+			writeMap(run);  // last: where the disk is full, the summary is smaller
 		}
 		catch (const OutputError&)
 		{

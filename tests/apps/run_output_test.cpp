@@ -65,6 +65,7 @@ TEST(RunOutput, FullDiskLeavesWholeLines)
 	for (const auto& line : lines) EXPECT_TRUE(json::accept(line));
 	const json summary = json::parse(readFile(testFolder() / "o" / "summary.json"));
 	EXPECT_THAT(summary["exploration"]["reason"].get<std::string>(), HasSubstr("frames.jsonl"));
+	EXPECT_FALSE(std::filesystem::exists(testFolder() / "o" / "map.ot.part"));
 }
 
 TEST(RunOutput, AFileInPlaceOfTheFolderIsRefusedAndKept)

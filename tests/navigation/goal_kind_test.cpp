@@ -49,7 +49,7 @@ protected:
 	GoalName named(const Eigen::Vector3d& stand, const Eigen::Vector3d& frontier, const RobotConfig& robot = {})
 	{
 		const AllowedArea everywhere;
-		const PlanMap map = planMap({m_memory.layers, everywhere, m_robot_in_map, {}}, {}, {});
+		const PlanMap map = planMap({m_memory.layers, everywhere, m_robot_in_map, {}, {}}, {}, {});
 		const TravelField field = travelFrom(map, map.cellOf(m_robot_in_map), {}, {});
 		LookTarget target;
 		target.look.cell = map.cellOf(stand);

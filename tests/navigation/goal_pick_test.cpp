@@ -39,7 +39,7 @@ protected:
 
 	AllowedArea m_area;
 	BodyLayers m_layers = test::layersOf(kCorridor);
-	PlanMap m_map = planMap({m_layers, m_area, {0.825, kY_m, 0}, {}}, {}, {});
+	PlanMap m_map = planMap({m_layers, m_area, {0.825, kY_m, 0}, {}, {}}, {}, {});
 };
 
 TEST_F(GoalPick, OnTheWayToHomeTheNearestComesFirst)

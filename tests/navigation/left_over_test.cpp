@@ -38,14 +38,15 @@ test::DrawnMap roomWithExit()
 }
 
 std::vector<LeftOver> accountOf(const test::DrawnMap& drawn, const AllowedArea& area = {},
-                                const std::vector<DoorTrack>& doors = {}, bool looked_at_all = true)
+                                const std::vector<DoorTrack>& doors = {},
+                                std::optional<LeftOverReason> wanted = LeftOverReason::sealed)
 {
 	FrontierMemory memory = test::memoryOf(drawn);
 	memory.doors.tracks = doors;
 	const Eigen::Vector3d robot_in_map = drawn.at('r');
-	const PlanMap map = planMap({memory.layers, area, robot_in_map, {}}, {}, {});
+	const PlanMap map = planMap({memory.layers, area, robot_in_map, {}, {}}, {}, {});
 	const TravelField field = travelFrom(map, map.cellOf(robot_in_map), {}, {});
-	return leftOver({map, memory, field, area, looked_at_all});
+	return leftOver({map, memory, field, area, wanted});
 }
 
 /** All of them have one reason. */
@@ -81,8 +82,8 @@ TEST(LeftOver, AnExitThatLookingDidNotOpenIsSealed)
 
 TEST(LeftOver, WhatWasNotYetLookedAtHasNoReason)
 {
-	EXPECT_TRUE(accountOf(roomWithExit(), {}, {}, false).empty());
-	expectAll(accountOf(roomWithExit(), {}, {doorSaying(Verdict::closed)}, false), LeftOverReason::closed_door);
+	EXPECT_TRUE(accountOf(roomWithExit(), {}, {}, std::nullopt).empty());
+	expectAll(accountOf(roomWithExit(), {}, {doorSaying(Verdict::closed)}, std::nullopt), LeftOverReason::closed_door);
 }
 
 TEST(LeftOver, AGapThatTheRobotDoesNotFitThroughIsTooNarrow)

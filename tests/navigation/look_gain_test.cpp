@@ -23,7 +23,7 @@ std::vector<std::string> halfKnown()
 
 PlanMap planOf(const test::DrawnMap& drawn, const Eigen::Vector3d& robot_in_map, const AllowedArea& area = {})
 {
-	return planMap({test::layersOf(drawn), area, robot_in_map, {}}, {}, {});
+	return planMap({test::layersOf(drawn), area, robot_in_map, {}, {}}, {}, {});
 }
 
 /** Of unknown space that begins behind the line x = edge_m, seen from x = 0 along x: an integral over the rays. */
@@ -60,8 +60,10 @@ TEST(LookGain, IsTheAreaOfTheWedgeBehindTheEdge)
 TEST(LookGain, IsNothingWhereOneLooksElsewhere)
 {
 	const Eigen::Vector3d at(1.525, 2.025, 0.0);
-	const PlanMap map = planOf(test::DrawnMap(halfKnown(), 0.2), at);
-	EXPECT_EQ(lookGain(map, {map.cellOf(at), kPi}, {}), 0.0);
+	std::vector<std::string> rows = halfKnown();
+	for (std::string& row : rows) row[0] = '#';
+	const PlanMap map = planOf(test::DrawnMap(rows, 0.2), at);
+	EXPECT_EQ(lookGain(map, {map.cellOf(at), kPi}, {}), 0.0) << "a wall";
 	PlanConfig near_sighted;
 	near_sighted.view_range_m = 1.4;
 	EXPECT_EQ(lookGain(map, {map.cellOf(at), 0.0}, near_sighted), 0.0) << "the unknown is 1.475 m away";
@@ -78,9 +80,9 @@ TEST(LookGain, IsNothingBehindAWallHoweverThin)
 	// The wall has a gap at the far end, so that what is behind may be got to.
 	for (std::size_t i = 0; i < 20; ++i) rows[i][58] = '.';
 	const test::DrawnMap drawn(rows);
-	const Eigen::Vector3d at(1.525, 0.525, 0.0);
+	const Eigen::Vector3d at(1.525, 1.275, 0.0);
 	const PlanMap map = planOf(drawn, at);
-	ASSERT_TRUE(map.wanted[map.cellOf({3.5, 0.5, 0.0})]);
+	ASSERT_TRUE(map.wanted[map.cellOf({3.5, 1.3, 0.0})]);
 	for (const double yaw_rad : {-0.2, 0.0, 0.2})
 		EXPECT_EQ(lookGain(map, {map.cellOf(at), yaw_rad}, {}), 0.0) << yaw_rad;
 }

@@ -35,7 +35,7 @@ struct Scene
 {
 	explicit Scene(const test::DrawnMap& drawn, const Eigen::Vector3d& robot_in_map)
 	    : memory(test::memoryOf(drawn)),
-	      map(planMap({memory.layers, area, robot_in_map, {}}, {}, {})),
+	      map(planMap({memory.layers, area, robot_in_map, {}, {}}, {}, {})),
 	      field(travelFrom(map, map.cellOf(robot_in_map), {}, {})),
 	      frontiers(wantedFrontiers(map, memory.frontiers.clusters()))
 	{

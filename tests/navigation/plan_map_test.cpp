@@ -17,7 +17,7 @@ PlanMap planOf(const test::DrawnMap& drawn, const Eigen::Vector3d& robot_in_map,
                const RobotConfig& robot = {}, const std::vector<Eigen::Vector3d>& blocked = {})
 {
 	const BodyLayers layers = test::layersOf(drawn, robot);
-	return planMap({layers, area, robot_in_map, blocked}, robot, {});
+	return planMap({layers, area, robot_in_map, {}, blocked}, robot, {});
 }
 
 bool isObstacle(CellState state)
@@ -238,6 +238,25 @@ TEST(PlanMap, SpotsWhereTheRobotWasStoppedAreBlocked)
 	EXPECT_EQ(std::count(map.blocked.begin(), map.blocked.end(), 1), 49);
 }
 
+TEST(PlanMap, WhereTheRobotHasBeenItFitsAlthoughThingsSeemNearerSince)
+{
+	// A passage of 0.4 m in which each wall seems half a cell too near for a robot of 0.18 m and its margin.
+	std::vector<std::string> rows(20, std::string(40, '.'));
+	for (int row = 0; row < 20; ++row)
+		if (row < 7 || row > 13) rows[static_cast<std::size_t>(row)].replace(15, 10, std::string(10, '#'));
+	const test::DrawnMap drawn(rows);
+	const Eigen::Vector3d within(1.025, 0.475, 0.0);
+	const BodyLayers layers = test::layersOf(drawn);
+	const AllowedArea everywhere;
+	const PlanMap before = planMap({layers, everywhere, {0.5, 0.5, 0.0}, {}, {}}, {}, {});
+	ASSERT_FALSE(before.passable[before.cellOf(within)]);
+	const PlanMap after = planMap({layers, everywhere, {0.5, 0.5, 0.0}, {within}, {}}, {}, {});
+	EXPECT_TRUE(after.passable[after.cellOf(within)]);
+	EXPECT_FALSE(after.passable[after.cellOf(within + Eigen::Vector3d(0.15, 0, 0))]) << "it has not been there";
+	const PlanMap wall = planMap({layers, everywhere, {0.5, 0.5, 0.0}, {{1.0, 0.1, 0.0}}, {}}, {}, {});
+	EXPECT_FALSE(wall.passable[wall.cellOf({1.0, 0.1, 0.0})]) << "things may come after it";
+}
+
 TEST(PlanMap, CellsAndPointsBelongTogether)
 {
 	RobotConfig mav;
@@ -254,7 +273,7 @@ TEST(PlanMap, CellsAndPointsBelongTogether)
 		                          test::uniform(random, -0.1, 0.1));
 		ASSERT_EQ(map.cellOf(map.middleOf(cell) + off), cell);
 	}
-	EXPECT_EQ(map.cellOf({-1.0, 1.0, 1.0}), kNoCell);
+	EXPECT_EQ(map.cellOf({-90.0, 1.0, 1.0}), kNoCell);
 	EXPECT_EQ(map.cellOf({1.0, 1.0, 9.0}), map.cellOf({1.0, 1.0, 2.0})) << "the nearest layer";
 }
 

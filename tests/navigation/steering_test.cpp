@@ -185,13 +185,37 @@ TEST_F(SteeringInHall, ARobotThatSeesNothingBacksOffByWhatItRemembersButNotForEv
 	Decision dark;
 	dark.stop = true;
 	dark.stop_reason = StopReason::empty_frame;
+	EXPECT_FALSE(mayMoveBlindly(m_steering, 100.0));
 	noteDecision(m_steering, dark, true, 100.0);
-	EXPECT_TRUE(steerAt(at(kStart, 0.0, 103.0)).backs_off) << "it has come too near to something";
+	EXPECT_FALSE(mayMoveBlindly(m_steering, 100.1)) << "it stops first";
+	noteDecision(m_steering, dark, true, 101.5);
+	EXPECT_TRUE(steerAt(at(kStart, 0.0, 104.0)).backs_off) << "it has come too near to something";
 	EXPECT_TRUE(mayMoveBlindly(m_steering, 110.0));
 	noteDecision(m_steering, dark, true, 110.0);
 	EXPECT_FALSE(mayMoveBlindly(m_steering, 120.0)) << "the camera is dark";
 	noteDecision(m_steering, {}, false, 121.0);
-	EXPECT_TRUE(mayMoveBlindly(m_steering, 121.0));
+	noteDecision(m_steering, dark, true, 122.0);
+	EXPECT_TRUE(mayMoveBlindly(m_steering, 124.0));
+}
+
+TEST_F(SteeringInHall, ARobotThatSeesNothingOnItsWayTurnsBackToWhereItCameFromAndGivesItsGoalUp)
+{
+	m_mission.trail_in_map = {kStart + Eigen::Vector3d(0, 1.0, 0), kStart + Eigen::Vector3d(0, 0.2, 0), kStart};
+	m_mission.goal->patience_s = 60.0;
+	Decision dark;
+	dark.stop = true;
+	dark.stop_reason = StopReason::empty_frame;
+	noteDecision(m_steering, dark, true, 100.0);
+	EXPECT_FALSE(steerAt(at(kStart, 0.0, 100.1)).turns) << "it stops first";
+	const SteeringGoal back = steerAt(at(kStart, 0.0, 101.2));
+	EXPECT_TRUE(back.turns);
+	EXPECT_NEAR(back.desired_rad, 0.5 * kPi, 1e-9);
+	EXPECT_EQ(m_mission.goal->patience_s, 0.0);
+	EXPECT_EQ(m_mission.blocked.size(), 1U) << "the spot ahead";
+	EXPECT_TRUE(steerAt(at(kStart, 0.5, 101.7)).turns);
+	EXPECT_EQ(m_mission.blocked.size(), 1U) << "once";
+	noteDecision(m_steering, {}, false, 102.0);
+	EXPECT_FALSE(steerAt(at(kStart, 0.5, 102.1)).turns) << "it sees again";
 }
 
 TEST_F(SteeringInHall, ARobotThatDrivesAndGetsNowhereBacksOffToo)

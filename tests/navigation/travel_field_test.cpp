@@ -139,7 +139,7 @@ PlanMap planOf(const test::DrawnMap& drawn, const Eigen::Vector3d& robot_in_map,
 {
 	const AllowedArea everywhere;
 	const BodyLayers layers = test::layersOf(drawn);
-	return planMap({layers, everywhere, robot_in_map, blocked}, {}, {});
+	return planMap({layers, everywhere, robot_in_map, {}, blocked}, {}, {});
 }
 
 TEST(TravelField, NoWayLeadsFromNowhere)

@@ -75,8 +75,10 @@ void BodyLayers::grow(const KeyRange& x, const KeyRange& y)
 	if (x.size() == 0 || y.size() == 0) return;
 	const int step = std::max(1, static_cast<int>(std::ceil(m_config.growth_m / m_frame.resolution_m)));
 	const Eigen::Vector2i first = m_frame.first.array() + kOriginKey;
-	const KeyRange columns = inSteps(x, step).with({first.x(), first.x() + m_frame.columns - 1});
-	const KeyRange rows = inSteps(y, step).with({first.y(), first.y() + m_frame.rows - 1});
+	// A cell more: what is free at the edge has unknown space beside it.
+	const KeyRange columns =
+	    inSteps({x.first - 1, x.last + 1}, step).with({first.x(), first.x() + m_frame.columns - 1});
+	const KeyRange rows = inSteps({y.first - 1, y.last + 1}, step).with({first.y(), first.y() + m_frame.rows - 1});
 	if (columns.size() == m_frame.columns && rows.size() == m_frame.rows) return;
 	const double edge_m = m_frame.resolution_m * std::max(columns.size(), rows.size());
 	if (edge_m > m_config.max_edge_m)

@@ -12,6 +12,9 @@ namespace explore
 namespace
 {
 constexpr double kNoWay_m = 1e6;
+/** Of tours that are as long but for this the one is taken whose first place is nearest: on the way to a far one it
+ *  would be passed by. */
+constexpr double kTie_m = 0.5;
 
 double costTo(const TravelField& field, CellIndex cell)
 {
@@ -63,12 +66,18 @@ std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const 
 	if (input.targets.size() == 1) return 0;
 	const std::vector<std::size_t> places = nearestTargets(input);
 	const TourCosts costs = costsBetween(input, places, robot, config);
-	const Tour best = shortestTour(costs);
-	if (best.order.empty()) return nearestTarget(input.targets);
-	if (input.current && places.front() == *input.current &&
-	    shortestTour(costs, 0).cost_m < best.cost_m + config.switch_gain_m)
+	const std::vector<double> tours = toursByFirst(costs);
+	const double best_m = *std::min_element(tours.begin(), tours.end());
+	if (best_m >= kNoWay_m) return nearestTarget(input.targets);
+	if (input.current && places.front() == *input.current && tours.front() < best_m + config.switch_gain_m)
 		return *input.current;
-	return places[best.order.front()];
+	std::size_t first = 0;
+	for (std::size_t i = 0; i < places.size(); ++i)
+	{
+		const bool better = tours[first] >= best_m + kTie_m || costs.from_robot[i] < costs.from_robot[first];
+		if (tours[i] < best_m + kTie_m && better) first = i;
+	}
+	return places[first];
 }
 
 std::size_t nearestTarget(const std::vector<LookTarget>& targets)

@@ -90,7 +90,7 @@ std::optional<LeftOverReason> reasonOf(const LeftOverInput& input, const Frontie
 	if (input.area.isKeptOut(at)) return LeftOverReason::kept_out;
 	if (isNearDrop(input.map, unknown)) return LeftOverReason::drop;
 	if (const auto door = reasonOfDoor(input.memory, at)) return *door;
-	if (facts.wanted) return input.looked_at_all ? std::optional(LeftOverReason::sealed) : std::nullopt;
+	if (facts.wanted) return input.wanted;
 	return facts.seen_across && facts.roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
 }
 

@@ -5,6 +5,7 @@
 #include <explore/navigation/look_targets.h>
 
 #include <Eigen/Core>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -36,7 +37,8 @@ struct LeftOverInput
 	const FrontierMemory& memory;
 	const TravelField& field;  ///< from the robot
 	const AllowedArea& area;
-	bool looked_at_all = true;  ///< what is still wanted was looked at, as often as it is worth; else it has no reason
+	/** Of what is still wanted: it was looked at, as often as it is worth. No value: it is not in the account. */
+	std::optional<LeftOverReason> wanted = LeftOverReason::sealed;
 };
 
 /** The account: every frontier with its reason; neighbours with the same reason are one. */

@@ -1,7 +1,9 @@
+#include <explore/core/geometry.h>
 #include <explore/navigation/look_targets.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace explore
@@ -127,6 +129,25 @@ std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& fi
 	if (!nearest && isNearStart(map, field, frontier, config)) nearest = targetAt(map, field, field.start, frontier);
 	if (nearest) nearest->gain_m2 = lookGain(map, nearest->look, config);
 	return nearest && nearest->gain_m2 >= config.min_gain_m2 ? nearest : std::nullopt;
+}
+
+std::vector<LookTarget> looksAround(const PlanMap& map, const TravelField& field, const PlanConfig& config)
+{
+	std::vector<LookTarget> looks;
+	if (field.start == kNoCell) return looks;
+	const int count = static_cast<int>(std::ceil(2.0 * std::numbers::pi / config.view_angle_rad));
+	for (int i = 0; i < count; ++i)
+	{
+		LookTarget target;
+		const double yaw_rad = wrapToPi(2.0 * std::numbers::pi * i / count);
+		target.look = {field.start, yaw_rad};
+		target.stand_in_map = map.middleOf(field.start);
+		target.frontier_in_map = target.stand_in_map + Eigen::Vector3d(std::cos(yaw_rad), std::sin(yaw_rad), 0.0);
+		target.gain_m2 = config.min_gain_m2;
+		target.looks_around = true;
+		looks.push_back(target);
+	}
+	return looks;
 }
 
 std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTarget> targets, const PlanConfig& config)

@@ -19,6 +19,7 @@ struct LookTarget
 	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();  ///< middle of the frontier's cells that matter
 	double gain_m2 = 0;
 	double travel_m = 0;  ///< from the robot, as TravelField has it
+	bool looks_around = false;
 };
 
 /** A frontier as the planner needs it: its cells beside wanted space. */
@@ -38,6 +39,9 @@ std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field,
 /** The reachable place nearest to a frontier, looking at it: where an explorer without looks would go. */
 std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
                                        const PlanConfig& config);
+
+/** Looks all around from where the robot stands: for one that finds no way on. What it is to see is 1 m away. */
+std::vector<LookTarget> looksAround(const PlanMap& map, const TravelField& field, const PlanConfig& config);
 
 /** Without those whose frontier another look, of more gain, shows as well. */
 std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTarget> targets, const PlanConfig& config);

@@ -28,6 +28,8 @@ constexpr double kArrive_rad = 0.14;
 constexpr double kLeft_s = 20.0;
 /** How long a goal may take: so many times as long as the way at full speed, and a while to turn and wait. */
 constexpr double kPatience = 4.0, kPatience_s = 30.0;
+/** Between the places of the trail. */
+constexpr double kTrail_m = 0.1;
 
 void addTry(Mission& mission, const MissionGoal& goal, double gain_m2)
 {
@@ -53,6 +55,7 @@ bool isReached(const MissionGoal& goal, const MissionNow& now, const PlanConfig&
 /** Whether the goal still shows something, and a way leads there. */
 bool isWorthKeeping(const MissionGoal& goal, const MissionPlan& plan, const PlanConfig& config)
 {
+	if (goal.looks_around) return plan.cut_off;
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
 	const bool stands_there = cell == plan.field.start;
 	if (!plan.field.reaches(cell) || (plan.map.passable[cell] == 0 && !stands_there)) return false;
@@ -77,14 +80,16 @@ bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_
 }
 
 MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const FrontierMemory& memory,
-                    const MissionNow& now, const RobotConfig& robot)
+                    const MissionNow& now, double path_m, const RobotConfig& robot)
 {
 	MissionGoal goal;
 	goal.stand_in_map = target.stand_in_map;
 	goal.frontier_in_map = target.frontier_in_map;
 	goal.yaw_rad = target.look.yaw_rad;
 	goal.gain_m2 = target.gain_m2;
+	goal.looks_around = target.looks_around;
 	goal.chosen_at_s = now.t_s;
+	goal.chosen_at_m = path_m;
 	goal.patience_s = kPatience_s + kPatience * target.travel_m / robot.max_speed_mps;
 	const GoalName name = nameOf(target, plan.field.wayTo(target.look.cell), plan.map, memory, robot);
 	goal.kind = name.kind;
@@ -127,7 +132,7 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
 		pick = nearestTarget(plan.targets);
 	if (input.current && (pick == *input.current || wasLeftLately(mission, plan.targets[pick], now.t_s))) return;
 	if (mission.goal) leave(mission, now.t_s);
-	mission.goal = goalFor(plan.targets[pick], plan, memory, now, robot);
+	mission.goal = goalFor(plan.targets[pick], plan, memory, now, mission.path_m, robot);
 }
 
 /** Why the robot has to go home now although there is more to see. */
@@ -154,6 +159,13 @@ bool overBudget(const Mission& mission)
 	return mission.end == MissionEnd::time_budget || mission.end == MissionEnd::path_budget;
 }
 
+/** Why what is still worth a look was left. */
+std::optional<LeftOverReason> whyWanted(MissionEnd end)
+{
+	if (end == MissionEnd::nothing_left) return LeftOverReason::sealed;
+	return end == MissionEnd::cut_off ? std::optional(LeftOverReason::out_of_reach) : std::nullopt;
+}
+
 void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& now, const RobotConfig& robot,
             const MissionConfig& config)
 {
@@ -172,7 +184,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	if (spent != MissionEnd::none)
 		goHome(mission, spent, plan, now, robot);
 	else if (plan.targets.empty() && !looking)
-		goHome(mission, MissionEnd::nothing_left, plan, now, robot);
+		goHome(mission, plan.cut_off ? MissionEnd::cut_off : MissionEnd::nothing_left, plan, now, robot);
 	else
 	{
 		if (mission.phase == MissionPhase::go_home) mission.goal.reset();
@@ -181,7 +193,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		chooseTarget(mission, plan, memory, now, robot, config);
 	}
 	if (mission.phase == MissionPhase::go_home)
-		mission.left_over = leftOver({plan.map, memory, plan.field, plan.area, !overBudget(mission)});
+		mission.left_over = leftOver({plan.map, memory, plan.field, plan.area, whyWanted(mission.end)});
 	mission.way_in_map = shortenedWay(plan.map, plan.field, plan.map.cellOf(mission.goal->stand_in_map), config.plan);
 	if (!mission.way_in_map.empty()) mission.way_in_map.back() = mission.goal->stand_in_map;
 }
@@ -196,12 +208,18 @@ void count(Mission& mission, const MissionNow& now)
 	}
 	if (mission.robot_in_map) mission.path_m += (at - *mission.robot_in_map).norm();
 	mission.robot_in_map = at;
+	if (mission.trail_in_map.empty() || (at - mission.trail_in_map.back()).norm() >= kTrail_m)
+	{
+		mission.trail_in_map.push_back(at);
+		mission.held = false;
+	}
 }
 }  // namespace
 
 std::string_view nameOf(MissionEnd end)
 {
-	static constexpr std::array<std::string_view, 4> kNames{"", "nothing reachable left", "time budget", "path budget"};
+	static constexpr std::array<std::string_view, 5> kNames{"", "nothing reachable left", "time budget", "path budget",
+	                                                        "no way on"};
 	return kNames.at(static_cast<std::size_t>(end));
 }
 
@@ -222,6 +240,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 			return;
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);
+		mission.held = !reached && mission.path_m - mission.goal->chosen_at_m < kTrail_m;
 		if (!reached) leave(mission, now.t_s);
 		mission.goal.reset();
 		plans = true;

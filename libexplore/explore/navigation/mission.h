@@ -28,6 +28,7 @@ enum class MissionEnd
 	nothing_left,
 	time_budget,
 	path_budget,
+	cut_off,  ///< nothing is left that a way leads to, but none leads home either, or anywhere
 };
 [[nodiscard]] std::string_view nameOf(MissionEnd end);
 
@@ -40,8 +41,10 @@ struct MissionGoal
 	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();  ///< what it is to see there
 	double yaw_rad = 0;                                         ///< in the map
 	double gain_m2 = 0;                                         ///< unknown space that it is held to show
+	bool looks_around = false;                                  ///< for a way out, being cut off
 	bool reachable = true;                                      ///< false: home, to which no way leads at present
 	double chosen_at_s = 0, patience_s = 0;                     ///< when, and how long it may take
+	double chosen_at_m = 0;                                     ///< of the path
 };
 
 /** A goal that was given up for another, and when: the robot does not turn back to it soon. */
@@ -75,7 +78,9 @@ struct Mission
 	double started_at_s = 0, planned_at_s = 0;
 	std::optional<Eigen::Vector3d> robot_in_map;  ///< in the last frame
 	double path_m = 0;
+	std::vector<Eigen::Vector3d> trail_in_map;  ///< where the robot has been
 	bool home_reached = false;
+	bool held = false;  ///< it has not moved since before it gave its last goal up
 	std::optional<MissionGoal> goal;
 	bool goal_lost = false;                   ///< in this frame, by what the map newly shows
 	std::vector<Eigen::Vector3d> way_in_map;  ///< corners, from the robot to the goal

@@ -1,6 +1,7 @@
 #include <explore/navigation/mission_plan.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace explore
 {
@@ -9,6 +10,8 @@ namespace
 /** A frontier that was looked at so often, and shows hardly more than it did, is left alone. */
 constexpr int kMaxTries = 2;
 constexpr double kSameGain = 1.3;
+/** A robot that gets no farther than this is boxed in. */
+constexpr double kStep_m = 0.7;
 
 bool wasTried(const Mission& mission, const LookTarget& target)
 {
@@ -33,6 +36,20 @@ std::vector<LookTarget> targetsOf(const MissionPlan& plan, const FrontierMemory&
 	}
 	return looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : targets;
 }
+/** Whether the robot can get farther than a step from where it stands. */
+bool findsAWay(const MissionPlan& plan)
+{
+	const auto isAway = [&](CellIndex cell)
+	{ return (plan.map.middleOf(cell) - plan.map.middleOf(plan.start)).head<2>().norm() > kStep_m; };
+	for (CellIndex cell = 0; cell < plan.map.cells.size(); ++cell)
+		if (plan.field.reaches(cell) && isAway(cell)) return true;
+	return false;
+}
+
+bool isCutOff(const MissionPlan& plan)
+{
+	return !plan.field.reaches(plan.home) || !findsAWay(plan);
+}
 }  // namespace
 
 MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now,
@@ -40,13 +57,20 @@ MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const 
 {
 	MissionPlan plan;
 	plan.area = allowedArea(config.bounds);
-	PlanInput input{memory.layers, plan.area, now.map_from_robot.translation(), {}};
+	PlanInput input{memory.layers, plan.area, now.map_from_robot.translation(), mission.trail_in_map, {}};
 	for (const BlockedSpot& spot : mission.blocked) input.blocked_in_map.push_back(spot.at_in_map);
 	plan.map = planMap(input, robot, config.plan);
 	plan.start = plan.map.cellOf(input.robot_in_map);
 	plan.home = plan.map.cellOf(mission.map_from_home->translation());
 	plan.field = travelFrom(plan.map, plan.start, robot, config.plan);
+	plan.cut_off = mission.held || isCutOff(plan);
 	plan.targets = targetsOf(plan, memory, mission, config);
+	if (mission.held || (plan.cut_off && plan.targets.empty()))
+	{
+		std::vector<LookTarget> around = looksAround(plan.map, plan.field, config.plan);
+		std::erase_if(around, [&](const LookTarget& target) { return wasTried(mission, target); });
+		if (!around.empty()) plan.targets = std::move(around);
+	}
 	return plan;
 }
 
@@ -69,6 +93,7 @@ Eigen::Vector3d placeNearHome(const Mission& mission, const MissionPlan& plan)
 LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan)
 {
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
-	return {{cell, goal.yaw_rad}, goal.stand_in_map, goal.frontier_in_map, goal.gain_m2, plan.field.costTo(cell)};
+	return {{cell, goal.yaw_rad}, goal.stand_in_map,       goal.frontier_in_map,
+	        goal.gain_m2,         plan.field.costTo(cell), goal.looks_around};
 }
 }  // namespace explore

@@ -17,6 +17,7 @@ struct MissionPlan
 	AllowedArea area;
 	CellIndex start = kNoCell, home = kNoCell;
 	TravelField field;
+	bool cut_off = false;  ///< no way leads home, or anywhere, or the robot does not get on
 	std::vector<LookTarget> targets;
 };
 

@@ -12,6 +12,8 @@ namespace
 {
 /** Half the edge of a blocked spot. */
 constexpr double kBlocked_m = 0.15;
+/** Half the width of the robot's trail, and the share of its radius that must be free around it still. */
+constexpr double kTrail_m = 0.05, kTrailFit = 0.75;
 constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 bool isObstacle(CellState state)
@@ -90,6 +92,26 @@ void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
 		for (int dx = -reach; dx <= reach; ++dx)
 			if (const Eigen::Array3i place = map.placeOf(middle) + Eigen::Array3i(dx, dy, 0); map.contains(place))
 				map.blocked[map.cellAt(place)] = 1;
+}
+
+/** Where the robot has been it fits, even though things may seem to have come a little nearer since. */
+void markTrail(PlanMap& map, const std::vector<Eigen::Vector3d>& trail_in_map, double radius_m)
+{
+	const int reach = static_cast<int>(std::lround(kTrail_m / map.frame.resolution_m));
+	for (const Eigen::Vector3d& at : trail_in_map)
+	{
+		const CellIndex middle = map.cellOf(at);
+		if (middle == kNoCell) continue;
+		for (int dy = -reach; dy <= reach; ++dy)
+			for (int dx = -reach; dx <= reach; ++dx)
+			{
+				const Eigen::Array3i place = map.placeOf(middle) + Eigen::Array3i(dx, dy, 0);
+				if (!map.contains(place)) continue;
+				const CellIndex cell = map.cellAt(place);
+				const bool fits = map.obstacle_m[cell] >= kTrailFit * radius_m;
+				if (map.allowed[cell] != 0 && map.cells[cell] == CellState::free && fits) map.passable[cell] = 1;
+			}
+	}
 }
 
 /** The cells that are joined to any of `starts` by cells that `is` holds of, themselves included. */
@@ -203,6 +225,7 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 		map.passable[i] =
 		    map.allowed[i] != 0 && map.cells[i] == CellState::free && map.obstacle_m[i] >= squeeze_m && known ? 1 : 0;
 	}
+	markTrail(map, input.trail_in_map, robot.radius_m);
 	map.blocked.assign(map.cells.size(), 0);
 	for (const Eigen::Vector3d& spot : input.blocked_in_map) block(map, spot);
 	markWanted(map, map.cellOf(input.robot_in_map), robot.radius_m);

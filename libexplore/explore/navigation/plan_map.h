@@ -25,7 +25,7 @@ struct PlanMap
 	std::vector<CellState> cells;
 	std::vector<float> obstacle_m;          ///< from the cell's middle to the nearest occupied one or drop, capped
 	std::vector<std::uint8_t> allowed;      ///< inside the bounds and not kept out
-	std::vector<std::uint8_t> passable;     ///< allowed, and all that the body covers there is known and free
+	std::vector<std::uint8_t> passable;     ///< allowed, and all that the body covers is known and free, or was so
 	std::vector<std::uint8_t> blocked;      ///< passable by the map, but the robot was stopped there lately
 	std::vector<std::uint8_t> wanted;       ///< unknown, and the body might get there and fit
 	std::vector<std::uint8_t> near_wanted;  ///< joined to the robot by free cells, with such an unknown one beside it
@@ -50,6 +50,7 @@ struct PlanInput
 	const BodyLayers& layers;
 	const AllowedArea& area;
 	Eigen::Vector3d robot_in_map = Eigen::Vector3d::Zero();  ///< what it might reach begins there
+	std::vector<Eigen::Vector3d> trail_in_map;               ///< places where it has been: it fits there
 	std::vector<Eigen::Vector3d> blocked_in_map;             ///< spots where it was stopped
 };
 PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConfig& config);

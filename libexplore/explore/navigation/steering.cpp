@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace explore
 {
@@ -19,8 +20,10 @@ constexpr double kTurnTime_s = 0.5;
 constexpr double kPatience_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
 /** A robot that drives gets this far within its patience. */
 constexpr double kHeadway_m = 0.05;
-/** It moves by what it remembers while the camera has shown nothing for no longer than this. */
-constexpr double kBlind_s = 15.0;
+/** It turns back to where it was so far from here. */
+constexpr double kBack_m = 0.7;
+/** It moves by what it remembers when the camera has shown nothing for so long, but for no longer than the other. */
+constexpr double kDark_s = 1.0, kBlind_s = 15.0;
 
 /** Of a point on the way: its distance from `at`, and how far along the way it lies. */
 struct OnWay
@@ -136,6 +139,29 @@ bool backsOff(Steering& steering, Mission& mission, const FrontierMemory& memory
 	return free_behind;
 }
 
+/** Where the robot has come from, robot frame. */
+double bearingBack(const Mission& mission, const MissionNow& now)
+{
+	const Eigen::Isometry3d robot_from_map = now.map_from_robot.inverse();
+	for (auto place = mission.trail_in_map.rbegin(); place != mission.trail_in_map.rend(); ++place)
+	{
+		const Eigen::Vector3d back = robot_from_map * *place;
+		if (back.head<2>().norm() >= kBack_m) return azimuthOf(back);
+	}
+	return std::numbers::pi;
+}
+
+/** A robot that is to drive on but has come too near to something to see turns back to where it came from, and gives
+ *  the goal up. */
+void turnBack(Steering& steering, Mission& mission, const MissionNow& now, SteeringGoal& goal)
+{
+	goal.turns = true;
+	goal.desired_rad = bearingBack(mission, now);
+	if (std::exchange(steering.turning_back, true)) return;
+	blockAhead(mission, now);
+	if (mission.goal->kind != GoalKind::home) mission.goal->patience_s = 0.0;
+}
+
 /** On the spot, or not, with hysteresis. */
 bool turns(Steering& steering, double bearing_rad, double until_rad)
 {
@@ -165,6 +191,7 @@ SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& m
 	const Eigen::Vector3d toward = there ? robot_from_map.linear() * facing : robot_from_map * aim.point_in_map;
 	goal.desired_rad = azimuthOf(toward);
 	goal.turns = there || turns(steering, goal.desired_rad, kTurnUntil_rad);
+	if (!goal.turns && mayMoveBlindly(steering, now.t_s)) turnBack(steering, mission, now, goal);
 	if (robot.kind == RobotKind::mav && !there)
 		goal.desired_elevation_rad = std::atan2(toward.z(), std::max(0.2, toward.head<2>().norm()));
 	return goal;
@@ -190,13 +217,18 @@ Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const Rob
 
 bool mayMoveBlindly(const Steering& steering, double t_s)
 {
-	return !steering.blind_since_s || t_s - *steering.blind_since_s < kBlind_s;
+	if (!steering.blind_since_s) return false;
+	const double blind_s = t_s - *steering.blind_since_s;
+	return blind_s >= kDark_s && blind_s < kBlind_s;
 }
 
 void noteDecision(Steering& steering, const Decision& decision, bool frame_is_empty, double t_s)
 {
 	if (!frame_is_empty)
+	{
 		steering.blind_since_s.reset();
+		steering.turning_back = false;
+	}
 	else if (!steering.blind_since_s)
 		steering.blind_since_s = t_s;
 	steering.driving = decision.command.velocity_mps.x() > 0.0;

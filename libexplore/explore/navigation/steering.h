@@ -16,6 +16,7 @@ struct Steering
 	std::optional<double> blocked_since_s;                    ///< the avoider has found no way since
 	std::optional<Eigen::Vector3d> backing_from_in_map;       ///< where the robot was when it began to back off
 	std::optional<double> blind_since_s;                      ///< the camera has shown nothing since
+	bool turning_back = false;                                ///< to where it came from, and saw something
 	bool driving = false;                                     ///< the last command was to drive
 	Eigen::Vector3d got_to_in_map = Eigen::Vector3d::Zero();  ///< where it was when it last made headway …
 	double got_there_at_s = 0;                                ///< … and when
@@ -40,8 +41,9 @@ SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& m
 /** The decision of a robot that turns on the spot or backs off: its hull is round, so that turning needs no room. */
 Decision manoeuvre(const GoalChoice& choice, const SteeringGoal& goal, const RobotConfig& robot);
 
-/** Whether the robot may still turn and back off by what it remembers although the camera shows nothing: it may have
- *  come too near to something. A camera that stays dark is another matter. */
+/** Whether the robot may turn and back off by what it remembers although the camera shows nothing: it has shown
+ *  nothing for a while, so that the robot may have come too near to something; a camera that stays dark is another
+ *  matter. */
 [[nodiscard]] bool mayMoveBlindly(const Steering& steering, double t_s);
 
 /** Takes note of whether the robot could go where it wanted, and of what the camera shows. */

@@ -1,5 +1,6 @@
 #include <explore/navigation/tour.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -7,83 +8,50 @@ namespace explore
 {
 namespace
 {
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/** The best ways through subsets of the places: those of `bits`, ending at one of them. */
-struct Subsets
+/** The cheapest ways home through subsets of the places: those of `bits`, beginning with one of them. */
+struct WaysHome
 {
-	explicit Subsets(std::size_t places)
-	    : count(places), cost(places << places, kNever), before(places << places, places)
+	explicit WaysHome(std::size_t places)
+	    : count(places), cost(places << places, std::numeric_limits<double>::infinity())
 	{
 	}
-	[[nodiscard]] std::size_t at(std::size_t bits, std::size_t last) const { return bits * count + last; }
+	[[nodiscard]] double& from(std::size_t bits, std::size_t first) { return cost[bits * count + first]; }
 
 	std::size_t count;
 	std::vector<double> cost;
-	std::vector<std::size_t> before;
 };
 
-void extend(Subsets& ways, const TourCosts& costs, std::size_t bits, std::size_t last)
+bool isIn(std::size_t bits, std::size_t place)
 {
-	const double so_far = ways.cost[ways.at(bits, last)];
-	if (so_far == kNever) return;
-	for (std::size_t next = 0; next < ways.count; ++next)
-	{
-		if ((bits >> next & 1U) != 0) continue;
-		const std::size_t to = ways.at(bits | (std::size_t{1} << next), next);
-		const double cost = so_far + costs.between[last][next];
-		if (cost >= ways.cost[to]) continue;
-		ways.cost[to] = cost;
-		ways.before[to] = last;
-	}
+	return (bits >> place & 1U) != 0;
 }
 
-Tour cheapest(const Subsets& ways, const TourCosts& costs)
+/** Puts each of the other places before those of `bits`. */
+void extend(WaysHome& ways, const TourCosts& costs, std::size_t bits, std::size_t first)
 {
-	Tour tour;
-	tour.cost_m = kNever;
-	const std::size_t all = (std::size_t{1} << ways.count) - 1;
-	std::size_t last = ways.count;
-	for (std::size_t end = 0; end < ways.count; ++end)
+	const double rest = ways.from(bits, first);
+	for (std::size_t before = 0; before < ways.count; ++before)
 	{
-		const double cost = ways.cost[ways.at(all, end)] + costs.to_home[end];
-		if (cost >= tour.cost_m) continue;
-		tour.cost_m = cost;
-		last = end;
+		if (isIn(bits, before)) continue;
+		double& cost = ways.from(bits | (std::size_t{1} << before), before);
+		cost = std::min(cost, costs.between[before][first] + rest);
 	}
-	for (std::size_t bits = all; last < ways.count;)
-	{
-		tour.order.insert(tour.order.begin(), last);
-		const std::size_t before = ways.before[ways.at(bits, last)];
-		bits &= ~(std::size_t{1} << last);
-		last = before;
-	}
-	return tour;
-}
-
-Tour solve(const TourCosts& costs, const std::vector<double>& from_robot)
-{
-	const std::size_t count = from_robot.size();
-	if (count > kMaxTourPlaces) throw std::invalid_argument("a tour of too many places");
-	if (count == 0) return {};
-	Subsets ways(count);
-	for (std::size_t i = 0; i < count; ++i) ways.cost[ways.at(std::size_t{1} << i, i)] = from_robot[i];
-	for (std::size_t bits = 1; bits < std::size_t{1} << count; ++bits)
-		for (std::size_t last = 0; last < count; ++last)
-			if ((bits >> last & 1U) != 0) extend(ways, costs, bits, last);
-	return cheapest(ways, costs);
 }
 }  // namespace
 
-Tour shortestTour(const TourCosts& costs)
+std::vector<double> toursByFirst(const TourCosts& costs)
 {
-	return solve(costs, costs.from_robot);
-}
-
-Tour shortestTour(const TourCosts& costs, std::size_t first)
-{
-	std::vector<double> only(costs.from_robot.size(), kNever);
-	only[first] = costs.from_robot[first];
-	return solve(costs, only);
+	const std::size_t count = costs.from_robot.size();
+	if (count > kMaxTourPlaces) throw std::invalid_argument("a tour of too many places");
+	if (count == 0) return {};
+	const std::size_t all = (std::size_t{1} << count) - 1;
+	WaysHome ways(count);
+	for (std::size_t i = 0; i < count; ++i) ways.from(std::size_t{1} << i, i) = costs.to_home[i];
+	for (std::size_t bits = 1; bits < all; ++bits)
+		for (std::size_t first = 0; first < count; ++first)
+			if (isIn(bits, first)) extend(ways, costs, bits, first);
+	std::vector<double> tours = costs.from_robot;
+	for (std::size_t first = 0; first < count; ++first) tours[first] += ways.from(all, first);
+	return tours;
 }
 }  // namespace explore

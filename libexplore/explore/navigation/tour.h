@@ -1,4 +1,4 @@
-// The shortest way through a set of places that ends at home.
+// The shortest ways through a set of places that end at home.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,11 @@ struct TourCosts
 	std::vector<double> to_home;               ///< from each place
 };
 
-struct Tour
-{
-	std::vector<std::size_t> order;  ///< each place once; empty where every order has an infinite cost
-	double cost_m = 0;
-};
-
 /** At most so many places. */
 inline constexpr std::size_t kMaxTourPlaces = 12;
 
-/** The cheapest order, by dynamic programming over subsets (Held & Karp 1962): exact. With `first`, among those that
- *  begin there. Throws std::invalid_argument for more than kMaxTourPlaces. */
-Tour shortestTour(const TourCosts& costs);
-Tour shortestTour(const TourCosts& costs, std::size_t first);
+/** For each place the cost [m] of the cheapest tour that begins there, visits every place once and ends at home;
+ *  infinite where no order leads through all. By dynamic programming over subsets (Held & Karp 1962): exact. Throws
+ *  std::invalid_argument for more than kMaxTourPlaces. */
+std::vector<double> toursByFirst(const TourCosts& costs);
 }  // namespace explore

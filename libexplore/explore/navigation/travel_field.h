@@ -29,7 +29,7 @@ struct TravelField
 
 /** Dijkstra over passable cells and their eight neighbours in the layer (a MAV: also the layers above and below), near
  *  obstacles at a higher cost, with a bucket for each cost (Dial 1969). A robot that stands where it would not be
- * allowed to go may leave: free cells within its radius of the start count as passable, at a high cost; so do spots
+ *  allowed to go may leave: free cells within its radius of the start count as passable, at a high cost; so do spots
  *  where it was stopped lately. */
 TravelField travelFrom(const PlanMap& map, CellIndex start, const RobotConfig& robot, const PlanConfig& config);
 /** The same, but only until the costs of `ends` are known; others may be left unreached, or too dear. */

@@ -10,8 +10,6 @@ namespace
 {
 /** The avoider asks the map this far around the robot. */
 constexpr double kAround_m = 2.0;
-/** The robot's speed while its camera shows nothing and it goes by the map. */
-constexpr double kBlind_mps = 0.15;
 
 double secondsOf(const DepthFrame& frame)
 {
@@ -83,32 +81,18 @@ double speedNow(const DepthFrame& frame, const ExplorerState& state, const Headi
 	const double gap_s = mrpt::system::timeDifference(*state.last_timestamp, frame.timestamp);
 	return gap_s > config.max_frame_gap_s ? 0.0 : state.speed_mps;
 }
-/** At a walk's pace at most. */
-Decision slowed(Decision decision)
-{
-	const double speed_mps = decision.command.velocity_mps.norm();
-	if (speed_mps > kBlind_mps) decision.command.velocity_mps *= kBlind_mps / speed_mps;
-	return decision;
-}
 
 /** A turn on the spot and a step back need no view of what is ahead; all else is stopped by what forbids it. */
-Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason forbidden, const ExplorerState& state,
-                  const DepthFrame& frame, const ExplorerConfig& config)
+Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason forbidden, double speed_mps,
+                  const ExplorerConfig& config)
 {
 	if (intent.finished) forbidden = StopReason::finished;
 	const bool manoeuvres = intent.steering.turns || intent.steering.backs_off;
-	// Nearer to a wall than the camera can see it shows nothing, but the map knows the wall.
-	const bool by_memory =
-	    forbidden == StopReason::empty_frame && state.memory && mayMoveBlindly(state.steering, secondsOf(frame));
-	if (by_memory) forbidden = StopReason::none;
-	if (manoeuvres && forbidden == StopReason::none) return manoeuvre(intent.choice, intent.steering, config.robot);
-	if (by_memory)
-		return slowed(decide(intent.choice, avoidance, forbidden, speedNow(frame, state, config.heading), config.robot,
-		                     config.heading));
-	return decide(intent.choice, avoidance, forbidden, speedNow(frame, state, config.heading), config.robot,
-	              config.heading);
+	const bool in_the_dark = forbidden == StopReason::empty_frame && intent.may_move_blindly;
+	if (manoeuvres && (forbidden == StopReason::none || in_the_dark))
+		return manoeuvre(intent.choice, intent.steering, config.robot);
+	return decide(intent.choice, avoidance, forbidden, speed_mps, config.robot, config.heading);
 }
-
 }  // namespace
 
 StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerConfig& config, const StageEnded& ended)
@@ -142,7 +126,7 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 	state.guard = updateGuard(state.guard, result.percepts.near_field, config.perception.near_field.sensor_min_range_m,
 	                          config.near_field_guard);
 	const StopReason forbidden = reasonToStop(frame, result.percepts, memory, state, config);
-	result.decision = decideOn(intent, avoidance, forbidden, state, frame, config);
+	result.decision = decideOn(intent, avoidance, forbidden, speedNow(frame, state, config.heading), config);
 	noteDecision(state.steering, result.decision, forbidden == StopReason::empty_frame, secondsOf(frame));
 	done("heading");
 

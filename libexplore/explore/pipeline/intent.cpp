@@ -34,8 +34,7 @@ Intent intend(const DepthFrame& frame, const Percepts& percepts, const FrontierM
 	const MissionNow now{isometryOf(frame.map_from_robot), mrpt::Clock::toDouble(frame.timestamp)};
 	const Eigen::Isometry3d robot_from_map = now.map_from_robot.inverse();
 	const bool tracks = config.memory.tracks;
-	intent.choice =
-	    chooseGoal(tracks ? remembered(percepts, *memory, robot_from_map) : percepts, config.robot);
+	intent.choice = chooseGoal(tracks ? remembered(percepts, *memory, robot_from_map) : percepts, config.robot);
 	intent.steering.desired_rad = intent.choice.desired_rad;
 	if (config.mission.policy == GoalPolicy::paper) return intent;
 
@@ -44,6 +43,7 @@ Intent intend(const DepthFrame& frame, const Percepts& percepts, const FrontierM
 	intent.choice.goal = intent.finished ? Goal{} : goalOf(mission, robot_from_map);
 	intent.steering = steer(steering, mission, *memory, now, config.robot);
 	intent.choice.desired_rad = intent.steering.desired_rad;
+	intent.may_move_blindly = mayMoveBlindly(steering, now.t_s);
 	return intent;
 }
 }  // namespace explore

@@ -12,7 +12,8 @@ struct Intent
 {
 	GoalChoice choice;
 	SteeringGoal steering;
-	bool finished = false;  ///< the exploration is over, and the robot is home
+	bool may_move_blindly = false;  ///< turn and back off, though the frame be empty
+	bool finished = false;          ///< the exploration is over, and the robot is home
 };
 
 /** With `memory`, θ_o and θ_v are those of confirmed tracks, and the goal is the mission's (policy paper: the tracks');

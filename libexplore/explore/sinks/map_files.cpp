@@ -48,6 +48,15 @@ std::string yamlOf(const FloorMap& floor)
 	    "free_thresh: 0.196\n",
 	    floor.resolution_m, floor.corner_in_map.x(), floor.corner_in_map.y());
 }
+/** As OcTree::writeBinaryConst() writes it, which also writes " done." to the standard error stream. */
+std::string binaryOf(const octomap::OcTree& map)
+{
+	std::ostringstream text;
+	text << "# Octomap OcTree binary file\n";
+	text << "id " << map.getTreeType() << "\nsize " << map.size() << "\nres " << map.getResolution() << "\ndata\n";
+	map.writeBinaryData(text);
+	return text.str();
+}
 }  // namespace
 
 void writeOctrees(const octomap::OcTree& map, const std::filesystem::path& folder)
@@ -55,9 +64,7 @@ void writeOctrees(const octomap::OcTree& map, const std::filesystem::path& folde
 	std::ostringstream exact;
 	map.write(exact);
 	writeFileAtomically(folder / "map.ot", exact.str());
-	std::ostringstream states;
-	map.writeBinaryConst(states);
-	writeFileAtomically(folder / "map.bt", states.str());
+	writeFileAtomically(folder / "map.bt", binaryOf(map));
 }
 
 void writeFloorMap(const FloorMap& floor, const std::filesystem::path& folder)

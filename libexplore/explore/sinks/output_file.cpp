@@ -131,11 +131,19 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
 {
 	std::filesystem::path unfinished = path;
 	unfinished += ".part";
-	OutputFile file(unfinished);
-	file.write(text);
-	file.sync();
-	file.close();
 	std::error_code error;
+	try
+	{
+		OutputFile file(unfinished);
+		file.write(text);
+		file.sync();
+		file.close();
+	}
+	catch (const OutputError&)
+	{
+		std::filesystem::remove(unfinished, error);
+		throw;
+	}
 	std::filesystem::rename(unfinished, path, error);
 	if (error) fail(path.string(), "put into place", error.value());
 }
