@@ -1,6 +1,6 @@
 #include <explore/core/geometry.h>
-#include <explore/evaluation/door_pairs.h>
 #include <explore/core/matching.h>
+#include <explore/evaluation/door_pairs.h>
 #include <explore/navigation/goal_choice.h>
 
 #include <algorithm>

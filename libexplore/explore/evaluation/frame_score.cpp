@@ -1,5 +1,5 @@
-#include <explore/evaluation/frame_score.h>
 #include <explore/core/matching.h>
+#include <explore/evaluation/frame_score.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
+#include <explore/core/vector_code.h>
 #include <explore/simulation/noise_kinect.h>
 #include <explore/simulation/noise_random.h>
 #include <explore/simulation/noise_samples.h>
 #include <explore/simulation/parallel_rows.h>
-#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <explore/simulation/noise_random.h>
 #include <explore/core/vector_code.h>
+#include <explore/simulation/noise_random.h>
 
 #include <bit>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <explore/simulation/noise_samples.h>
 #include <explore/core/vector_code.h>
+#include <explore/simulation/noise_samples.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
+#include <explore/core/vector_code.h>
 #include <explore/simulation/ray_packets.h>
 #include <explore/simulation/ray_scene_impl.h>
-#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cmath>

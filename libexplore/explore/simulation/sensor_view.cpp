@@ -1,8 +1,8 @@
+#include <explore/core/vector_code.h>
 #include <explore/simulation/parallel_rows.h>
 #include <explore/simulation/projector_shadow.h>
 #include <explore/simulation/sensor_view.h>
 #include <explore/simulation/sight.h>
-#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
+#include <explore/core/vector_code.h>
 #include <explore/simulation/parallel_rows.h>
 #include <explore/simulation/speckle_contrast.h>
 #include <explore/simulation/speckle_match.h>
 #include <explore/simulation/speckle_pattern.h>
-#include <explore/core/vector_code.h>
 
 #include <algorithm>
 #include <cstddef>
