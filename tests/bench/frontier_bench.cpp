@@ -1,12 +1,10 @@
-// How long layers and frontiers take after a VGA frame, beside a scan of the whole octree for the same cells; and
-// looks.
+// How long layers and frontiers take after a VGA frame, beside a scan of the whole octree for the same cells.
 #include "support/world_frames.h"
 
 #include <benchmark/benchmark.h>
 #include <explore/core/heap.h>
 #include <explore/memory/floor_map.h>
 #include <explore/memory/frontiers.h>
-#include <explore/memory/view_gain.h>
 
 #include <cstdio>
 
@@ -135,37 +133,6 @@ Times timesOver(const Drive& drive)
 	return times;
 }
 
-/** Looks around from the middle of every cluster at the end of a drive, and as often for each yaw alone. */
-void lookAround(benchmark::State& state)
-{
-	const Drive& drive = drives()[static_cast<std::size_t>(state.range(0))];
-	Occupancy map(OccupancyConfig{});
-	BodyLayers layers({}, robotOf(drive.kind), map.resolution_m());
-	Frontiers frontiers;
-	for (const DepthFrame& frame : drive.frames)
-	{
-		map.insert(frame);
-		layers.update(map.changes());
-	}
-	frontiers.update(layers);
-	double yaw_by_yaw_ms = 0.0, at_once_ms = 0.0;
-	for ([[maybe_unused]] const auto _ : state)
-		for (const FrontierCluster& cluster : frontiers.clusters())
-		{
-			const ViewPlace place{cluster.centroid_in_map, cluster.layer};
-			const double start_ms = threadTime_ms();
-			benchmark::DoNotOptimize(bestYaw(layers, place, {}));
-			const double done_ms = threadTime_ms();
-			for (int i = 0; i < kYaws; ++i) benchmark::DoNotOptimize(viewGain(layers, place, yawOf(i), {}));
-			at_once_ms += done_ms - start_ms;
-			yaw_by_yaw_ms += threadTime_ms() - done_ms;
-		}
-	state.SetLabel(drive.name);
-	state.counters["ms_a_place"] =
-	    at_once_ms / static_cast<double>(frontiers.clusters().size()) / static_cast<double>(state.iterations());
-	state.counters["ratio"] = yaw_by_yaw_ms / at_once_ms;
-}
-
 /** Over every drive that was followed. */
 Times& timesOfAll()
 {
@@ -194,7 +161,6 @@ void followDrive(benchmark::State& state)
 	state.counters["clusters"] = static_cast<double>(all.clusters);
 }
 BENCHMARK(followDrive)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->Iterations(1);
-BENCHMARK(lookAround)->DenseRange(3, 5)->Unit(benchmark::kMillisecond)->Iterations(5);
 
 void compareWithScan()
 {

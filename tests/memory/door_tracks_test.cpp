@@ -229,6 +229,32 @@ TEST(DoorTracks, ADoorThatTheRobotWentThroughIsVisited)
 	EXPECT_FALSE(scout.tracks.tracks.at(1).visited);
 }
 
+TEST(DoorTracks, WhatTheRobotWentThroughIsOpenWhateverItLookedLikeFromAfar)
+{
+	Scout scout;
+	scout.lookAtDoors({with(kDoor, Verdict::unknown)}, 12);
+	ASSERT_TRUE(scout.tracks.tracks.at(0).existence.confirmed);
+	EXPECT_EQ(verdictOf(scout.tracks.tracks[0]), Verdict::unknown);
+	for (int i = 0; i < 40; ++i)
+		update(scout.tracks, lookAt({}, robotAt(0.1 * i, 0.1, std::numbers::pi), 10 + 0.1 * i), kRobot, kConfig);
+	const DoorTrack& track = scout.tracks.tracks.at(0);
+	EXPECT_TRUE(track.visited);
+	EXPECT_EQ(verdictOf(track), Verdict::open);
+	EXPECT_GT(confidenceOf(track), 0.5);
+	EXPECT_GE(clearWidthOf(track.belief), 2 * kRobot.radius_m);
+}
+
+TEST(DoorTracks, NothingToSeeBehindIsAWeakSignOfADoor)
+{
+	Scout shut, dark;
+	shut.lookAtDoors({with(kDoor, Verdict::closed)}, 4);
+	dark.lookAtDoors({with(kDoor, Verdict::unknown)}, 4);
+	EXPECT_TRUE(shut.tracks.tracks.at(0).existence.confirmed);
+	EXPECT_FALSE(dark.tracks.tracks.at(0).existence.confirmed) << "walls at grazing angles look like that";
+	dark.lookAtDoors({with(kDoor, Verdict::unknown)}, 20);
+	EXPECT_TRUE(dark.tracks.tracks.at(0).existence.confirmed) << "panes of glass as well";
+}
+
 TEST(DoorTracks, TheMapObjectsToAMirror)
 {
 	// What stands 2 m in front of the wall at x = 3 stands 2 m behind it, too; corridor walls would not tell.

@@ -28,7 +28,7 @@ struct DoorOpinion
 	Verdict verdict = Verdict::open;
 	double clear_width_m = 0;
 	double confidence = 0.5;  ///< P(the robot can pass)
-	double weight = 1;        ///< 0–1
+	double weight = 1;        ///< 0–1 for a look; more for what tells more than one
 };
 /** `fading` is what remains of the weight of earlier looks when a look of weight 1 comes, 0–1. */
 void addOpinion(DoorBelief& belief, const DoorOpinion& opinion, double fading);

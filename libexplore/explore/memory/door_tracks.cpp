@@ -8,9 +8,11 @@ namespace explore
 {
 namespace
 {
-/** A report of something shut or unclear tells this surely that there is a door of some kind; one with a jamb out of
- *  view tells less. */
-constexpr double kShutIsThere = 0.7, kPartialIsThere = 0.55;
+/** A report of something shut tells this surely that there is a door of some kind; one with a jamb out of view, or with
+ *  nothing to see behind, tells less. */
+constexpr double kShutIsThere = 0.7, kUnclearIsThere = 0.55;
+/** A robot that gets through has the best look at a door: it weighs as much as so many from afar. */
+constexpr double kPassed = 3.0, kSureOfPassing = 0.99;
 /** Reports of openings that can be passed tell as much as their confidence, within these. */
 constexpr double kLeastThere = 0.55, kMostThere = 0.95;
 /** More of the rays than this ending in a door's opening, and none but a few going through, is a shut door. */
@@ -26,7 +28,8 @@ struct Now
 
 double thereByReport(const DoorSighting& sighting)
 {
-	if (sighting.verdict == Verdict::partial) return logOdds(kPartialIsThere);
+	const bool unclear = sighting.verdict == Verdict::partial || sighting.verdict == Verdict::unknown;
+	if (unclear) return logOdds(kUnclearIsThere);
 	if (!isPassable(sighting.verdict)) return logOdds(kShutIsThere);
 	return logOdds(std::clamp(sighting.confidence, kLeastThere, kMostThere));
 }
@@ -89,14 +92,25 @@ DoorTrack newTrack(int number, const DoorSighting& sighting, const Now& now, con
 	return track;
 }
 
+/** The robot went through: it is open. */
+void pass(DoorTrack& track, const RobotConfig& robot, const DoorTrackConfig& config)
+{
+	track.visited = true;
+	const Verdict said = verdictOf(track.belief);
+	const DoorOpinion passed{isPassable(said) ? said : Verdict::open,
+	                         std::max(clearWidthOf(track.belief), 2 * robot.radius_m), kSureOfPassing, kPassed};
+	addOpinion(track.belief, passed, config.fading);
+}
+
 /** The robot's way since the last frame: marks what it went through. */
-void drive(DoorTracks& tracks, const Eigen::Vector2d& robot_in_map)
+void drive(DoorTracks& tracks, const Eigen::Vector2d& robot_in_map, const RobotConfig& robot,
+           const DoorTrackConfig& config)
 {
 	if (tracks.robot_in_map)
 	{
 		tracks.travelled_m += (robot_in_map - *tracks.robot_in_map).norm();
 		for (DoorTrack& track : tracks.tracks)
-			track.visited = track.visited || leadsThrough(track.place, *tracks.robot_in_map, robot_in_map);
+			if (leadsThrough(track.place, *tracks.robot_in_map, robot_in_map)) pass(track, robot, config);
 	}
 	tracks.robot_in_map = robot_in_map;
 }
@@ -144,7 +158,10 @@ std::optional<Verdict> objectionTo(const DoorTrack& track, const DoorLook& look,
 	if (!track.visited && track.floor_missing > track.floor_seen) return Verdict::drop;
 	if (isFlat(track, config)) return Verdict::unknown;
 	if (!look.occupancy) return std::nullopt;
-	return objectionTo(track.place, clearWidthOf(track.belief), look.occupancy, robot, config.map_check);
+	const auto objection =
+	    objectionTo(track.place, clearWidthOf(track.belief), look.occupancy, robot, config.map_check);
+	const bool was_a_mirror = track.visited && objection == Verdict::unknown;
+	return was_a_mirror ? std::nullopt : objection;
 }
 
 /** Asks frame and map about every track that this frame looked at. */
@@ -190,7 +207,7 @@ void describe(FieldVisitor& fields, DoorTrackConfig& config)
 std::vector<int> update(DoorTracks& tracks, const DoorLook& look, const RobotConfig& robot,
                         const DoorTrackConfig& config)
 {
-	drive(tracks, look.map_from_robot.translation().head<2>());
+	drive(tracks, look.map_from_robot.translation().head<2>(), robot, config);
 	const Now now{{look.map_from_robot * look.robot_from_camera, look.t_s}, tracks.travelled_m};
 	std::vector<DoorSighting> sightings;
 	sightings.reserve(look.doors_in_robot.size());

@@ -34,14 +34,14 @@ std::vector<CellIndex> unknownBeside(const PlanMap& map, const FrontierCluster& 
 }
 
 /** What a door that cannot be passed says of what is behind it. */
-std::optional<LeftOverReason> reasonOfDoor(const FrontierMemory& memory, const Eigen::Vector2d& at)
+std::optional<LeftOverReason> reasonOfDoor(const FrontierMemory& memory, const Eigen::Vector2d& at, bool wanted)
 {
 	for (const DoorTrack& track : memory.doors.tracks)
 	{
 		if ((track.place.center_in_map - at).norm() > kDoorReach_m || !track.existence.confirmed) continue;
 		const Verdict verdict = verdictOf(track);
 		if (verdict == Verdict::closed || verdict == Verdict::blocked) return LeftOverReason::closed_door;
-		if (verdict == Verdict::unknown) return LeftOverReason::behind_glass;
+		if (verdict == Verdict::unknown && wanted) return LeftOverReason::behind_glass;
 		if (verdict == Verdict::drop) return LeftOverReason::drop;
 	}
 	return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<LeftOverReason> reasonOf(const LeftOverInput& input, const Frontie
 	if (!input.area.inBounds(at)) return LeftOverReason::outside_bounds;
 	if (input.area.isKeptOut(at)) return LeftOverReason::kept_out;
 	if (isNearDrop(input.map, unknown)) return LeftOverReason::drop;
-	if (const auto door = reasonOfDoor(input.memory, at)) return *door;
+	if (const auto door = reasonOfDoor(input.memory, at, facts.wanted)) return *door;
 	if (facts.wanted) return input.wanted;
 	return facts.seen_across && facts.roomy ? LeftOverReason::out_of_reach : LeftOverReason::too_narrow;
 }
