@@ -1,7 +1,9 @@
 #include <common/exit_codes.h>
 #include <explore-eval/compare_command.h>
 #include <explore-eval/eval_outputs.h>
+#include <explore/core/errors.h>
 #include <explore/evaluation/compare_runs.h>
+#include <explore/evaluation/soak_pairs.h>
 #include <explore/sinks/output_file.h>
 #include <explore/sinks/output_folder.h>
 
@@ -37,10 +39,30 @@ void write(const fs::path& folder, const std::string& tables, const std::string&
 	writeFileAtomically(folder / "compare.txt", tables);
 	writeFileAtomically(folder / "compare.json", json);
 }
+/** Explorations of `soak`, run by run. */
+int compareSoaks(const std::vector<SoakRun>& base, const EvalOptions& options)
+{
+	if (!options.costs.empty()) throw ConfigError("--cost is about evaluations, not about the explorations of soak");
+	std::string tables;
+	for (const std::string& folder : options.others)
+	{
+		const std::vector<SoakPairs> pairs = pairsOf(base, readSoakRuns(folder));
+		if (pairs.empty()) throw InputError(folder + ": no exploration of the worlds and seeds of " + options.base);
+		tables += soakPairsText(options.base, folder, pairs);
+	}
+	if (!options.out.empty())
+	{
+		makeFolder(options.out);
+		writeFileAtomically(fs::path(options.out) / "compare.txt", tables);
+	}
+	OutputFile::standardOutput().write(tables);
+	return kDone;
+}
 }  // namespace
 
 int compareEvaluations(const EvalOptions& options)
 {
+	if (const std::vector<SoakRun> runs = readSoakRuns(options.base); !runs.empty()) return compareSoaks(runs, options);
 	const NamedRun base = readRun(options.base);
 	std::vector<RunComparison> comparisons;
 	for (const std::string& folder : options.others)

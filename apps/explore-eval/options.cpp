@@ -60,12 +60,12 @@ void addCompareCommand(CLI::App& app, EvalOptions& options, std::string& cost)
 {
 	CLI::App* compare = app.add_subcommand("compare",
 	                                       "What other configurations change: --out folders of runs over the same "
-	                                       "scenes, paired scene by scene");
+	                                       "scenes, paired scene by scene, or of soak, paired run by run");
 	compare->add_option("BASE", options.base, "Folder of the run that the others are compared with")
 	    ->required()
 	    ->type_name("");
 	compare->add_option("OTHER", options.others, "Folders of the other runs")->required()->type_name("");
-	compare->add_option("--out", options.out, "Folder for compare.txt and compare.json; else only printed")
+	compare->add_option("--out", options.out, "Folder for compare.txt and, of scenes, compare.json; else only printed")
 	    ->type_name("DIR");
 	compare
 	    ->add_option("--cost", cost,

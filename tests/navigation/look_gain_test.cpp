@@ -163,5 +163,23 @@ TEST(Sees, WhatIsInItsWedgeWithNothingBefore)
 	EXPECT_GT(seen, 40) << "the test saw too little";
 	EXPECT_GT(unseen, 40) << "the test saw too little";
 }
+
+TEST(Sees, OtherAltitudesWithinTheImagesHeight)
+{
+	RobotConfig mav;
+	mav.kind = RobotKind::mav;
+	mav.height_m = 0.25;
+	std::vector<std::string> rows(60, std::string(80, '.'));
+	for (std::string& row : rows) row[60] = '#';
+	const test::DrawnMap hall(rows);
+	const BodyLayers layers = test::layersOf(hall, mav);
+	const AllowedArea everywhere;
+	const PlanMap map = planMap({layers, everywhere, {1.0, 1.5, 1.0}, {}, {}}, mav, {});
+	const Look look{map.cellOf({0.5, 1.5, 1.0}), 0.0};
+	EXPECT_TRUE(sees(map, look, map.middleOf(map.cellOf({2.5, 1.5, 1.75})), {})) << "21 degrees above";
+	EXPECT_TRUE(sees(map, look, map.middleOf(map.cellOf({2.5, 1.5, 0.5})), {})) << "14 degrees below";
+	EXPECT_FALSE(sees(map, look, map.middleOf(map.cellOf({1.5, 1.5, 1.75})), {})) << "37 degrees above";
+	EXPECT_FALSE(sees(map, look, map.middleOf(map.cellOf({3.5, 1.5, 1.5})), {})) << "behind the wall";
+}
 }  // namespace
 }  // namespace explore

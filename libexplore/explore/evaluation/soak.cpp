@@ -22,20 +22,6 @@ std::optional<double> numberIn(const JsonPlace& place)
 	return place.isNull() ? std::nullopt : std::optional(place.number());
 }
 
-/** A value and its interval, as text. */
-std::string withInterval(const std::optional<double>& value, const std::optional<Interval>& interval,
-                         const char* format)
-{
-	if (!value) return "-";
-	std::string text = mrpt::format(format, *value);
-	if (!interval) return text;
-	return text.append(" [")
-	    .append(mrpt::format(format, interval->low))
-	    .append(", ")
-	    .append(mrpt::format(format, interval->high))
-	    .append("]");
-}
-
 /** The median over the runs that have the figure. */
 std::string medianText(const Runs& runs, const Figure& figure, const char* format)
 {

@@ -1,4 +1,5 @@
 #include <explore/evaluation/text_table.h>
+#include <mrpt/core/format.h>
 
 #include <algorithm>
 
@@ -49,5 +50,18 @@ std::string TextTable::text() const
 		text.append(line).append("\n");
 	}
 	return text;
+}
+
+std::string withInterval(const std::optional<double>& value, const std::optional<Interval>& interval,
+                         const char* format)
+{
+	if (!value) return "-";
+	std::string text = mrpt::format(format, *value);
+	if (!interval) return text;
+	return text.append(" [")
+	    .append(mrpt::format(format, interval->low))
+	    .append(", ")
+	    .append(mrpt::format(format, interval->high))
+	    .append("]");
 }
 }  // namespace explore::evaluation

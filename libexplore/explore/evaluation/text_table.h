@@ -1,6 +1,9 @@
 // Columns of text that line up.
 #pragma once
 
+#include <explore/evaluation/scene_bootstrap.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,4 +24,8 @@ private:
 	std::vector<bool> m_left;
 	std::vector<std::vector<std::string>> m_rows;
 };
+
+/** A value and its interval, both in the same printf format; "-" without a value. */
+std::string withInterval(const std::optional<double>& value, const std::optional<Interval>& interval,
+                         const char* format);
 }  // namespace explore::evaluation

@@ -20,11 +20,10 @@ double gainAlong(const PlanMap& map, const Look& look, double azimuth_rad, const
 	double gain = 0.0, passed_m = 0.0;
 	for (double at_m = kNearest_m; at_m < config.view_range_m && passed_m < config.view_depth_m; at_m += step_m)
 	{
-		const Eigen::Array2i to =
-		    (from.head<2>().cast<double>() + direction * (at_m / step_m) + 0.5).floor().cast<int>();
-		const Eigen::Array3i place(to.x(), to.y(), from.z());
-		if (!map.contains(place)) break;
-		const CellIndex cell = map.cellAt(place);
+		const int column = static_cast<int>(std::floor(from.x() + direction.x() * (at_m / step_m) + 0.5));
+		const int row = static_cast<int>(std::floor(from.y() + direction.y() * (at_m / step_m) + 0.5));
+		if (column < 0 || row < 0 || column >= map.frame.columns || row >= map.frame.rows) break;
+		const CellIndex cell = map.cellAt({column, row, from.z()});
 		if (map.cells[cell] == CellState::occupied) break;
 		if (map.cells[cell] != CellState::unknown) continue;
 		if (map.wanted[cell] != 0) gain += at_m * step_m;
@@ -49,18 +48,17 @@ double lookGain(const PlanMap& map, const Look& look, const PlanConfig& config)
 
 bool sees(const PlanMap& map, const Look& look, const Eigen::Vector3d& point_in_map, const PlanConfig& config)
 {
-	const Eigen::Vector2d way = (point_in_map - map.middleOf(look.cell)).head<2>();
-	const double away_m = way.norm(), azimuth_rad = std::atan2(way.y(), way.x());
-	if (away_m > config.view_range_m || std::abs(wrapToPi(azimuth_rad - look.yaw_rad)) > 0.5 * config.view_angle_rad)
+	const Eigen::Vector3d from = map.middleOf(look.cell), way = point_in_map - from;
+	const double away_m = way.head<2>().norm();
+	const double azimuth_rad = azimuthOf(way), elevation_rad = std::atan2(way.z(), away_m);
+	if (away_m > config.view_range_m || std::abs(wrapToPi(azimuth_rad - look.yaw_rad)) > 0.5 * config.view_angle_rad ||
+	    std::abs(elevation_rad) > 0.5 * config.view_height_rad)
 		return false;
-	const Eigen::Array3i from = map.placeOf(look.cell);
 	const int steps = static_cast<int>(away_m / map.frame.resolution_m);
 	for (int i = 0; i < steps; ++i)
 	{
-		const Eigen::Array2d off = way.array() * (static_cast<double>(i) / (steps * map.frame.resolution_m));
-		const Eigen::Array2i at = (from.head<2>().cast<double>() + off + 0.5).floor().cast<int>();
-		const Eigen::Array3i place(at.x(), at.y(), from.z());
-		if (!map.contains(place) || map.cells[map.cellAt(place)] != CellState::free) return false;
+		const CellIndex cell = map.cellOf(from + way * (static_cast<double>(i) / steps));
+		if (cell == kNoCell || map.cells[cell] != CellState::free) return false;
 	}
 	return true;
 }

@@ -18,6 +18,7 @@ struct Look
  * have passed view_depth_m of unknown space, wanted or not. */
 double lookGain(const PlanMap& map, const Look& look, const PlanConfig& config);
 
-/** Whether a point in the look's layer is in its wedge and range, with nothing but free space before it. */
+/** Whether a point, in this layer or another, is in the look's wedge and range, with nothing but free space before it.
+ */
 bool sees(const PlanMap& map, const Look& look, const Eigen::Vector3d& point_in_map, const PlanConfig& config);
 }  // namespace explore

@@ -15,6 +15,8 @@ void describe(FieldVisitor& fields, PlanConfig& config)
 	            "a way as near to things as it may be costs so many times more a metre");
 	fields.real("view_range", config.view_range_m, {1.0, 20.0}, "m", "a look is held to show unknown space up to here");
 	fields.degrees("view_angle_deg", config.view_angle_rad, {5.0, 180.0}, "the camera's horizontal field of view");
+	fields.degrees("view_height_deg", config.view_height_rad, {5.0, 180.0},
+	               "mav only: the camera's vertical field of view, by which a look shows other altitudes");
 	fields.real("view_depth", config.view_depth_m, {0.1, 10.0}, "m",
 	            "a look is held to show so much of unknown space along each ray");
 	fields.real("min_gain", config.min_gain_m2, {0.0, 10.0}, "m2", "unknown space that is worth a look");

@@ -2,7 +2,6 @@
 #include <explore/navigation/plan_map.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -14,7 +13,6 @@ namespace
 constexpr double kBlocked_m = 0.15;
 /** Half the width of the robot's trail, and the share of its radius that must be free around it still. */
 constexpr double kTrail_m = 0.05, kTrailFit = 0.75;
-constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 bool isObstacle(CellState state)
 {
@@ -24,9 +22,12 @@ bool isObstacle(CellState state)
 template <class Visit>
 void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
 {
-	const Eigen::Array3i place = map.placeOf(cell);
-	for (const auto& [dx, dy] : kBeside)
-		if (const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0); map.contains(next)) visit(map.cellAt(next));
+	const auto columns = static_cast<CellIndex>(map.frame.columns), rows = static_cast<CellIndex>(map.frame.rows);
+	const CellIndex column = cell % columns, row = cell / columns % rows;
+	if (column + 1 < columns) visit(cell + 1);
+	if (column > 0) visit(cell - 1);
+	if (row + 1 < rows) visit(cell + columns);
+	if (row > 0) visit(cell - columns);
 }
 
 /** Distances [m] in each layer to the marked cells. */
@@ -78,9 +79,9 @@ template <class Visit>
 void forEachNext(const PlanMap& map, CellIndex cell, const Visit& visit)
 {
 	forEachBeside(map, cell, visit);
-	for (const int dz : {-1, 1})
-		if (const Eigen::Array3i next = map.placeOf(cell) + Eigen::Array3i(0, 0, dz); map.contains(next))
-			visit(map.cellAt(next));
+	const auto layer = static_cast<CellIndex>(map.layerCells());
+	if (cell >= layer) visit(cell - layer);
+	if (cell + layer < map.cells.size()) visit(cell + layer);
 }
 
 void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
