@@ -24,8 +24,6 @@ Eigen::Vector3d placeIn(const Eigen::Isometry3d& map_from_robot)
 
 /** What is asked of a goal that is reached: the camera points there. */
 constexpr double kArrive_rad = 0.14;
-/** The robot does not turn back to a goal that it left less than so long ago. */
-constexpr double kLeft_s = 20.0;
 /** How long a goal may take: so many times as long as the way at full speed, and a while to turn and wait. */
 constexpr double kPatience = 4.0, kPatience_s = 30.0;
 /** Between the places of the trail. */
@@ -69,16 +67,6 @@ void leave(Mission& mission, double now_s)
 	mission.goal.reset();
 }
 
-bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_s)
-{
-	return std::any_of(mission.left.begin(), mission.left.end(),
-	                   [&](const LeftGoal& left)
-	                   {
-		                   const bool same = (left.stand_in_map - target.stand_in_map).norm() < kSameGoal_m;
-		                   return same && now_s - left.at_s < kLeft_s;
-	                   });
-}
-
 MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const FrontierMemory& memory,
                     const MissionNow& now, double path_m, const RobotConfig& robot)
 {
@@ -116,6 +104,8 @@ MissionGoal goalHome(const Mission& mission, const MissionPlan& plan, const Miss
 void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
                   const RobotConfig& robot, const MissionConfig& config)
 {
+	const auto lately = [&](const LookTarget& target) { return wasLeftLately(mission, target, now.t_s); };
+	if (!std::ranges::all_of(plan.targets, lately)) std::erase_if(plan.targets, lately);
 	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
 	if (mission.goal)
 	{
@@ -130,7 +120,7 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
 		pick = firstOfTour(input, robot, config.plan);
 	else if (!input.current)
 		pick = nearestTarget(plan.targets);
-	if (input.current && (pick == *input.current || wasLeftLately(mission, plan.targets[pick], now.t_s))) return;
+	if (pick == input.current) return;
 	if (mission.goal) leave(mission, now.t_s);
 	mission.goal = goalFor(plan.targets[pick], plan, memory, now, mission.path_m, robot);
 }
@@ -177,6 +167,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	{
 		mission.goal.reset();
 		mission.goal_lost = true;
+		mission.left.clear();
 	}
 
 	const MissionEnd spent = overBudget(mission) ? mission.end : budgetSpent(mission, plan, now, robot, config);
@@ -240,6 +231,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 			return;
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);
+		if (reached) mission.left.clear();
 		mission.held = !reached && mission.path_m - mission.goal->chosen_at_m < kTrail_m;
 		if (!reached) leave(mission, now.t_s);
 		mission.goal.reset();

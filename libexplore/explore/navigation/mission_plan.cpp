@@ -52,6 +52,16 @@ bool isCutOff(const MissionPlan& plan)
 }
 }  // namespace
 
+bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_s)
+{
+	return std::any_of(mission.left.begin(), mission.left.end(),
+	                   [&](const LeftGoal& left)
+	                   {
+		                   const bool same = (left.stand_in_map - target.stand_in_map).norm() < kSameGoal_m;
+		                   return same && now_s - left.at_s < kLeft_s;
+	                   });
+}
+
 MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now,
                     const RobotConfig& robot, const MissionConfig& config)
 {
