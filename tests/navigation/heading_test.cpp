@@ -223,5 +223,26 @@ TEST(ClosedLoop, NoiseOfACentimetreDoesNotMakeItStopAndGo)
 	EXPECT_GE(approach.gap_m, 0.08);
 	EXPECT_EQ(approach.speeds_mps.back(), 0.0);
 }
+
+TEST(SlowFor, StopsWithinTheRestOfTheWay)
+{
+	RobotConfig robot;
+	robot.max_speed_mps = 2.0;
+	const HeadingConfig config;
+	for (const double rest_m : {0.05, 0.2, 0.5, 1.0})
+	{
+		Decision decision;
+		decision.command.velocity_mps = Eigen::Vector3d(1.6, 0.0, 1.2);
+		slowFor(decision, rest_m, robot, config);
+		const double speed_mps = decision.command.velocity_mps.norm();
+		EXPECT_LE(stoppingDistance(speed_mps, robot, config) - config.stop_margin_m, rest_m + 1e-9);
+		EXPECT_GT(speed_mps, 0.0);
+		EXPECT_NEAR(decision.command.velocity_mps.z() / decision.command.velocity_mps.x(), 0.75, 1e-9);
+	}
+	Decision slow;
+	slow.command.velocity_mps.x() = 0.1;
+	slowFor(slow, 1.0, robot, config);
+	EXPECT_EQ(slow.command.velocity_mps.x(), 0.1);
+}
 }  // namespace
 }  // namespace explore

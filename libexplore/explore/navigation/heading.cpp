@@ -95,4 +95,11 @@ Decision decide(const GoalChoice& choice, const Avoidance& avoidance, StopReason
 	decision.command = commandFor(avoidance, robot, config);
 	return decision;
 }
+
+void slowFor(Decision& decision, double rest_m, const RobotConfig& robot, const HeadingConfig& config)
+{
+	const double speed_mps = decision.command.velocity_mps.norm();
+	const double most_mps = safeSpeed(rest_m + config.stop_margin_m, robot, config);
+	if (speed_mps > most_mps) decision.command.velocity_mps *= most_mps / speed_mps;
+}
 }  // namespace explore

@@ -34,4 +34,7 @@ double safeSpeed(double open_path_m, const RobotConfig& robot, const HeadingConf
  *  robot's limit. */
 Decision decide(const GoalChoice& choice, const Avoidance& avoidance, StopReason forbidden, double current_speed_mps,
                 const RobotConfig& robot, const HeadingConfig& config);
+
+/** No faster than it can stop within `rest_m`, by braking where its goal is. */
+void slowFor(Decision& decision, double rest_m, const RobotConfig& robot, const HeadingConfig& config);
 }  // namespace explore

@@ -91,7 +91,11 @@ Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason f
 	const bool in_the_dark = forbidden == StopReason::empty_frame && intent.may_move_blindly;
 	if (manoeuvres && (forbidden == StopReason::none || in_the_dark))
 		return manoeuvre(intent.choice, intent.steering, config.robot);
-	return decide(intent.choice, avoidance, forbidden, speed_mps, config.robot, config.heading);
+	Decision decision = decide(intent.choice, avoidance, forbidden, speed_mps, config.robot, config.heading);
+	// What flies drifts on where it is to turn.
+	if (config.robot.kind == RobotKind::mav && intent.steering.goal_distance_m > 0.0)
+		slowFor(decision, intent.steering.goal_distance_m, config.robot, config.heading);
+	return decision;
 }
 }  // namespace
 
