@@ -55,7 +55,7 @@ Progress progressOf(const Run& run)
 	if (goal != GoalKind::none) progress.goal = nameOf(goal);
 	if (run.state.memory == nullptr) return progress;
 	progress.doors = confirmedDoors(*run.state.memory);
-	progress.known_free_m2 = knownFree_m2(*run.state.memory);
+	progress.known_free_m2 = knownFreeArea(*run.state.memory);
 	return progress;
 }
 

@@ -39,10 +39,10 @@ std::vector<LookTarget> targetsOf(const MissionPlan& plan, const FrontierMemory&
 /** Whether the robot can get farther than a step from where it stands. */
 bool findsAWay(const MissionPlan& plan)
 {
-	const auto isAway = [&](CellIndex cell)
+	const auto is_away = [&](CellIndex cell)
 	{ return (plan.map.middleOf(cell) - plan.map.middleOf(plan.start)).head<2>().norm() > kStep_m; };
 	for (CellIndex cell = 0; cell < plan.map.cells.size(); ++cell)
-		if (plan.field.reaches(cell) && isAway(cell)) return true;
+		if (plan.field.reaches(cell) && is_away(cell)) return true;
 	return false;
 }
 
@@ -91,7 +91,7 @@ double pathHome(const MissionPlan& plan)
 
 Eigen::Vector3d placeNearHome(const Mission& mission, const MissionPlan& plan)
 {
-	const Eigen::Vector3d home = mission.map_from_home->translation();
+	Eigen::Vector3d home = mission.map_from_home->translation();
 	if (plan.field.reaches(plan.home)) return home;
 	CellIndex nearest = plan.start;
 	const auto away = [&](CellIndex cell) { return (plan.map.middleOf(cell) - home).squaredNorm(); };

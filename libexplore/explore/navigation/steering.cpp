@@ -143,12 +143,10 @@ bool backsOff(Steering& steering, Mission& mission, const FrontierMemory& memory
 double bearingBack(const Mission& mission, const MissionNow& now)
 {
 	const Eigen::Isometry3d robot_from_map = now.map_from_robot.inverse();
-	for (auto place = mission.trail_in_map.rbegin(); place != mission.trail_in_map.rend(); ++place)
-	{
-		const Eigen::Vector3d back = robot_from_map * *place;
-		if (back.head<2>().norm() >= kBack_m) return azimuthOf(back);
-	}
-	return std::numbers::pi;
+	const auto last = std::find_if(mission.trail_in_map.rbegin(), mission.trail_in_map.rend(),
+	                               [&](const Eigen::Vector3d& place)
+	                               { return (robot_from_map * place).head<2>().norm() >= kBack_m; });
+	return last == mission.trail_in_map.rend() ? std::numbers::pi : azimuthOf(robot_from_map * *last);
 }
 
 /** A robot that is to drive on but has come too near to something to see turns back to where it came from, and gives

@@ -35,7 +35,7 @@ std::vector<CorridorSummary> corridorsOf(const CorridorTracks& tracks)
 }
 }  // namespace
 
-double knownFree_m2(const FrontierMemory& memory)
+double knownFreeArea(const FrontierMemory& memory)
 {
 	const BodyLayers& layers = memory.layers;
 	const LayerFrame& frame = layers.frame();
@@ -59,7 +59,7 @@ ExplorationSummary explorationSummary(const ExplorerState& state)
 	summary.finished = mission.phase == MissionPhase::done;
 	summary.complete = mission.home_reached && mission.end == MissionEnd::nothing_left;
 	summary.end = nameOf(mission.end);
-	summary.known_free_m2 = knownFree_m2(*state.memory);
+	summary.known_free_m2 = knownFreeArea(*state.memory);
 	if (mission.map_from_home && mission.robot_in_map)
 		summary.home_error_m = (*mission.robot_in_map - mission.map_from_home->translation()).head<2>().norm();
 	summary.doors = doorsOf(state.memory->doors);

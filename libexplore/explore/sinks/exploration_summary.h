@@ -46,7 +46,7 @@ struct ExplorationSummary
 };
 
 /** Of the robot's (lowest) layer. */
-[[nodiscard]] double knownFree_m2(const FrontierMemory& memory);
+[[nodiscard]] double knownFreeArea(const FrontierMemory& memory);
 [[nodiscard]] std::size_t confirmedDoors(const FrontierMemory& memory);
 
 /** Of a state without memory all is empty. */
