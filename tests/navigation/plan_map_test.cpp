@@ -144,6 +144,8 @@ TEST(PlanMap, IsWhatASlowLookAtEveryCellSays)
 		const SlowPlan slow(map, area, robot_in_map, 0.27);
 		for (CellIndex cell = 0; cell < map.cells.size(); ++cell)
 		{
+			// What is drawn, and a metre of the unknown around it.
+			if ((map.middleOf(cell).head<2>().array() - 1.5).abs().maxCoeff() > 2.5) continue;
 			ASSERT_EQ(map.passable[cell] != 0, slow.isPassable(cell)) << map.middleOf(cell).transpose();
 			ASSERT_EQ(map.wanted[cell] != 0, slow.isWanted(cell)) << map.middleOf(cell).transpose();
 			passable += map.passable[cell];

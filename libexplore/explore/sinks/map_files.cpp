@@ -48,13 +48,13 @@ std::string yamlOf(const FloorMap& floor)
 	    "free_thresh: 0.196\n",
 	    floor.resolution_m, floor.corner_in_map.x(), floor.corner_in_map.y());
 }
-/** As OcTree::writeBinaryConst() writes it, which also writes " done." to the standard error stream. */
+/** As OcTree::writeBinaryConst() writes it, which also writes about it to the standard error stream. */
 std::string binaryOf(const octomap::OcTree& map)
 {
 	std::ostringstream text;
 	text << "# Octomap OcTree binary file\n";
 	text << "id " << map.getTreeType() << "\nsize " << map.size() << "\nres " << map.getResolution() << "\ndata\n";
-	map.writeBinaryData(text);
+	if (map.getRoot() != nullptr) map.writeBinaryNode(text, map.getRoot());
 	return text.str();
 }
 }  // namespace
