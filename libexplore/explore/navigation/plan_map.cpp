@@ -84,34 +84,38 @@ void forEachNext(const PlanMap& map, CellIndex cell, const Visit& visit)
 	if (cell + layer < map.cells.size()) visit(cell + layer);
 }
 
+/** The cells of a square in the layer, half its edge `reach_m`. */
+template <class Visit>
+void forEachAround(const PlanMap& map, CellIndex middle, double reach_m, const Visit& visit)
+{
+	const int reach = static_cast<int>(std::lround(reach_m / map.frame.resolution_m));
+	for (int dy = -reach; dy <= reach; ++dy)
+		for (int dx = -reach; dx <= reach; ++dx)
+			if (const Eigen::Array3i place = map.placeOf(middle) + Eigen::Array3i(dx, dy, 0); map.contains(place))
+				visit(map.cellAt(place));
+}
+
 void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
 {
 	const CellIndex middle = map.cellOf(spot_in_map);
 	if (middle == kNoCell) return;
-	const int reach = static_cast<int>(std::lround(kBlocked_m / map.frame.resolution_m));
-	for (int dy = -reach; dy <= reach; ++dy)
-		for (int dx = -reach; dx <= reach; ++dx)
-			if (const Eigen::Array3i place = map.placeOf(middle) + Eigen::Array3i(dx, dy, 0); map.contains(place))
-				map.blocked[map.cellAt(place)] = 1;
+	forEachAround(map, middle, kBlocked_m, [&](CellIndex cell) { map.blocked[cell] = 1; });
 }
 
 /** Where the robot has been it fits, even though things may seem to have come a little nearer since. */
 void markTrail(PlanMap& map, const std::vector<Eigen::Vector3d>& trail_in_map, double radius_m)
 {
-	const int reach = static_cast<int>(std::lround(kTrail_m / map.frame.resolution_m));
 	for (const Eigen::Vector3d& at : trail_in_map)
 	{
 		const CellIndex middle = map.cellOf(at);
 		if (middle == kNoCell) continue;
-		for (int dy = -reach; dy <= reach; ++dy)
-			for (int dx = -reach; dx <= reach; ++dx)
-			{
-				const Eigen::Array3i place = map.placeOf(middle) + Eigen::Array3i(dx, dy, 0);
-				if (!map.contains(place)) continue;
-				const CellIndex cell = map.cellAt(place);
-				const bool fits = map.obstacle_m[cell] >= kTrailFit * radius_m;
-				if (map.allowed[cell] != 0 && map.cells[cell] == CellState::free && fits) map.passable[cell] = 1;
-			}
+		forEachAround(map, middle, kTrail_m,
+		              [&](CellIndex cell)
+		              {
+			              const bool fits = map.obstacle_m[cell] >= kTrailFit * radius_m;
+			              if (fits && map.allowed[cell] != 0 && map.cells[cell] == CellState::free)
+				              map.passable[cell] = 1;
+		              });
 	}
 }
 
