@@ -84,10 +84,11 @@ void forEachNext(const PlanMap& map, CellIndex cell, const Visit& visit)
 	if (cell + layer < map.cells.size()) visit(cell + layer);
 }
 
-/** The cells of a square in the layer, half its edge `reach_m`. */
+/** The cells of a square in the layer, half its edge `reach_m`; none for kNoCell. */
 template <class Visit>
 void forEachAround(const PlanMap& map, CellIndex middle, double reach_m, const Visit& visit)
 {
+	if (middle == kNoCell) return;
 	const int reach = static_cast<int>(std::lround(reach_m / map.frame.resolution_m));
 	for (int dy = -reach; dy <= reach; ++dy)
 		for (int dx = -reach; dx <= reach; ++dx)
@@ -95,21 +96,12 @@ void forEachAround(const PlanMap& map, CellIndex middle, double reach_m, const V
 				visit(map.cellAt(place));
 }
 
-void block(PlanMap& map, const Eigen::Vector3d& spot_in_map)
-{
-	const CellIndex middle = map.cellOf(spot_in_map);
-	if (middle == kNoCell) return;
-	forEachAround(map, middle, kBlocked_m, [&](CellIndex cell) { map.blocked[cell] = 1; });
-}
-
 /** Where the robot has been it fits, even though things may seem to have come a little nearer since. */
 void markTrail(PlanMap& map, const std::vector<Eigen::Vector3d>& trail_in_map, double radius_m)
 {
 	for (const Eigen::Vector3d& at : trail_in_map)
 	{
-		const CellIndex middle = map.cellOf(at);
-		if (middle == kNoCell) continue;
-		forEachAround(map, middle, kTrail_m,
+		forEachAround(map, map.cellOf(at), kTrail_m,
 		              [&](CellIndex cell)
 		              {
 			              const bool fits = map.obstacle_m[cell] >= kTrailFit * radius_m;
@@ -147,15 +139,12 @@ std::vector<CellIndex> startsOf(const PlanMap& map, CellIndex robot, double radi
 	if (robot == kNoCell) return {};
 	std::vector<CellIndex> starts{robot};
 	if (map.obstacle_m[robot] >= map.fit_m) return starts;
-	const int reach = static_cast<int>(radius_m / map.frame.resolution_m);
-	for (int dy = -reach; dy <= reach; ++dy)
-		for (int dx = -reach; dx <= reach; ++dx)
-		{
-			const Eigen::Array3i place = map.placeOf(robot) + Eigen::Array3i(dx, dy, 0);
-			const bool other = (dx != 0 || dy != 0) && dx * dx + dy * dy <= reach * reach;
-			if (other && map.contains(place) && map.cells[map.cellAt(place)] == CellState::free)
-				starts.push_back(map.cellAt(place));
-		}
+	forEachAround(map, robot, radius_m,
+	              [&](CellIndex cell)
+	              {
+		              const bool beneath = (map.middleOf(cell) - map.middleOf(robot)).norm() <= radius_m;
+		              if (beneath && cell != robot && map.cells[cell] == CellState::free) starts.push_back(cell);
+	              });
 	return starts;
 }
 
@@ -232,7 +221,8 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 	}
 	markTrail(map, input.trail_in_map, robot.radius_m);
 	map.blocked.assign(map.cells.size(), 0);
-	for (const Eigen::Vector3d& spot : input.blocked_in_map) block(map, spot);
+	for (const Eigen::Vector3d& spot : input.blocked_in_map)
+		forEachAround(map, map.cellOf(spot), kBlocked_m, [&](CellIndex cell) { map.blocked[cell] = 1; });
 	markWanted(map, map.cellOf(input.robot_in_map), robot.radius_m);
 	return map;
 }
