@@ -67,6 +67,17 @@ TEST(SimulatorRun, DrivesDownTheCorridorAndLeavesItsTruth)
 	EXPECT_THAT(result.out, HasSubstr("0 collisions"));
 }
 
+TEST(SimulatorRun, ThePapersPolicyDrivesToo)
+{
+	const auto out = freshFolder() / "o";
+	const auto result = inCorridor(out, {"--max-frames", "60", "--set", "goal.policy=paper"});
+	ASSERT_EQ(result.exit_code, 0) << result.err;
+	const auto x = xIn(out / "truth.tum");
+	ASSERT_EQ(x.size(), 60U);
+	EXPECT_GT(x.back(), 1.3) << "it began at 0.8, with nothing but its first view on the map";
+	EXPECT_EQ(summaryIn(out)["truth"]["collisions"], 0);
+}
+
 TEST(SimulatorRun, SameSeedSameBytesOtherSeedOthers)
 {
 	const auto folder = freshFolder();

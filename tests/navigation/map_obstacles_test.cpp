@@ -54,6 +54,9 @@ TEST(MapObstacles, AreWhatTheMapHasAroundTheRobotWhereverItLooks)
 		EXPECT_GT(nearestTo(points, map_from_robot, {1.25, 0.55, 0}), 0.3) << "free floor";
 		EXPECT_GT(nearestTo(points, map_from_robot, {2.55, 0.05, 0}), 0.2) << "too far";
 		EXPECT_GT(nearestTo(points, map_from_robot, {0.75, 1.175, 0}), 0.04) << "unknown beyond the edge";
+		const PointCloud seen = mapObstacles(test::layersOf(kCorner), map_from_robot, {}, 1.5, false);
+		EXPECT_GT(nearestTo(seen, map_from_robot, {0.75, 1.125, 0}), 0.2) << "the unknown does not count";
+		EXPECT_LT(nearestTo(seen, map_from_robot, {0.05, 0.55, 0}), 0.04) << "the wall does";
 	}
 }
 

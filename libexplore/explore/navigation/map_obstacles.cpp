@@ -31,7 +31,7 @@ bool blocks(const BodyLayers& layers, const LayerCell& cell)
 }  // namespace
 
 PointCloud mapObstacles(const BodyLayers& layers, const Eigen::Isometry3d& map_from_robot, const RobotConfig& robot,
-                        double range_m)
+                        double range_m, bool unknown_blocks)
 {
 	PointCloud points;
 	const LayerFrame& frame = layers.frame();
@@ -48,7 +48,7 @@ PointCloud mapObstacles(const BodyLayers& layers, const Eigen::Isometry3d& map_f
 			const Eigen::Vector2d centre =
 			    frame.corner_in_map + frame.resolution_m * Eigen::Vector2d(column + 0.5, row + 0.5);
 			const bool touches = (centre - at.head<2>()).norm() < robot.radius_m + kTouch_cells * frame.resolution_m;
-			if (touches && layers.stateOf(cell) == CellState::unknown) continue;
+			if (layers.stateOf(cell) == CellState::unknown && (touches || !unknown_blocks)) continue;
 			const Eigen::Vector3d point(centre.x(), centre.y(), z_m);
 			points.push_back((robot_from_map * point).cast<float>());
 		}

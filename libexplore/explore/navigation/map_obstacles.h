@@ -10,7 +10,7 @@ namespace explore
 {
 /** The middles of the cells within `range_m` of the robot that its body must not enter, in its layer: occupied ones,
  *  drops, and unknown ones beside free ones, but for those that it touches where it stands; robot frame, at mid height
- * of a ground robot's body or at the MAV's. */
+ *  of a ground robot's body or at the MAV's. Without `unknown_blocks` no unknown ones. */
 PointCloud mapObstacles(const BodyLayers& layers, const Eigen::Isometry3d& map_from_robot, const RobotConfig& robot,
-                        double range_m);
+                        double range_m, bool unknown_blocks = true);
 }  // namespace explore

@@ -33,18 +33,26 @@ FrontierMemory* memoryFor(const DepthFrame& frame, ExplorerState& state, const E
 	return state.memory.get();
 }
 
+/** Whether the map says what was never seen. A robot that has not planned to look there first, as the paper's, would
+ *  not get away from where it starts: the lines of sight of its frame say it instead. */
+bool isUnknownMapped(const FrontierMemory* memory, const ExplorerConfig& config)
+{
+	return memory != nullptr && config.mission.policy != GoalPolicy::paper;
+}
+
 /** What stands around the robot: as this frame shows it, and as the memory has it. */
 PointCloud obstaclesAround(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
                            const ExplorerConfig& config)
 {
 	PointCloud all = percepts.obstacles_in_robot;
 	if (memory == nullptr) return all;
-	const PointCloud known = mapObstacles(memory->layers, isometryOf(frame.map_from_robot), config.robot, kAround_m);
+	const PointCloud known = mapObstacles(memory->layers, isometryOf(frame.map_from_robot), config.robot, kAround_m,
+	                                      isUnknownMapped(memory, config));
 	for (std::size_t i = 0; i < known.size(); ++i) all.push_back(known[i]);
 	return all;
 }
 
-/** `sight` and `obstacles` must outlive the result. A memory knows what was not seen, and says so in `obstacles`. */
+/** `sight` and `obstacles` must outlive the result. Without `sight` the obstacles say what was not seen. */
 AvoiderInput avoiderInput(const DepthFrame& frame, const SightLines* sight, const PointCloud& obstacles,
                           const Percepts& percepts, const Intent& intent, const RobotConfig& robot)
 {
@@ -122,9 +130,9 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 
 	const SightLines sight = sightLines(frame);
 	const PointCloud obstacles = obstaclesAround(frame, result.percepts, memory, config);
-	const Avoidance avoidance = avoid(
-	    avoiderInput(frame, memory == nullptr ? &sight : nullptr, obstacles, result.percepts, intent, config.robot),
-	    config.robot, config.avoider);  // line 28: θ_a
+	const Avoidance avoidance = avoid(avoiderInput(frame, isUnknownMapped(memory, config) ? nullptr : &sight, obstacles,
+	                                               result.percepts, intent, config.robot),
+	                                  config.robot, config.avoider);  // line 28: θ_a
 	done("avoid");
 
 	state.guard = updateGuard(state.guard, result.percepts.near_field, config.perception.near_field.sensor_min_range_m,
