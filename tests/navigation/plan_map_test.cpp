@@ -259,6 +259,23 @@ TEST(PlanMap, WhereTheRobotHasBeenItFitsAlthoughThingsSeemNearerSince)
 	EXPECT_FALSE(wall.passable[wall.cellOf({1.0, 0.1, 0.0})]) << "things may come after it";
 }
 
+TEST(PlanMap, WhatItMightReachIsAskedFromWhereverItHasBeen)
+{
+	// Two rooms, and between them a doorway that the robot squeezed through; the exit is in the room that it came from.
+	std::vector<std::string> rows(40, std::string(40, '.') + std::string(8, '#') + std::string(40, '.') + "##");
+	for (std::string& row : rows) row[0] = '?';
+	rows.front() = rows.back() = std::string(90, '#');
+	for (int row = 16; row < 24; ++row) rows[static_cast<std::size_t>(row)].replace(40, 8, "........");
+	const test::DrawnMap drawn(rows);
+	const BodyLayers layers = test::layersOf(drawn);
+	const AllowedArea everywhere;
+	const Eigen::Vector3d beyond(3.5, 1.0, 0.0), exit(0.025, 1.0, 0.0);
+	const PlanMap stranger = planMap({layers, everywhere, beyond, {}, {}}, {}, {});
+	ASSERT_FALSE(stranger.wanted[stranger.cellOf(exit)]) << "the doorway is too narrow to want what is behind it";
+	const PlanMap traveller = planMap({layers, everywhere, beyond, {{1.0, 1.0, 0.0}, {2.2, 1.0, 0.0}}, {}}, {}, {});
+	EXPECT_TRUE(traveller.wanted[traveller.cellOf(exit)]);
+}
+
 TEST(PlanMap, CellsAndPointsBelongTogether)
 {
 	RobotConfig mav;

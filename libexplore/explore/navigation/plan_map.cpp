@@ -148,9 +148,14 @@ std::vector<CellIndex> startsOf(const PlanMap& map, CellIndex robot, double radi
 	return starts;
 }
 
-void markWanted(PlanMap& map, CellIndex robot, double radius_m)
+void markWanted(PlanMap& map, const PlanInput& input, double radius_m)
 {
-	map.wanted = joinedTo(map, startsOf(map, robot, radius_m),
+	const CellIndex robot = map.cellOf(input.robot_in_map);
+	std::vector<CellIndex> starts = startsOf(map, robot, radius_m);
+	// A doorway that it just fits through ends what it might reach, but it has been on both sides.
+	for (const Eigen::Vector3d& at : input.trail_in_map)
+		if (const CellIndex cell = map.cellOf(at); cell != kNoCell && map.allowed[cell] != 0) starts.push_back(cell);
+	map.wanted = joinedTo(map, starts,
 	                      [&](CellIndex cell) { return map.allowed[cell] != 0 && map.obstacle_m[cell] >= map.fit_m; });
 	// What is seen through a window, or by a ray of noise through a wall, is free but not joined to where the robot is.
 	const std::vector<std::uint8_t> joined =
@@ -223,7 +228,7 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 	map.blocked.assign(map.cells.size(), 0);
 	for (const Eigen::Vector3d& spot : input.blocked_in_map)
 		forEachAround(map, map.cellOf(spot), kBlocked_m, [&](CellIndex cell) { map.blocked[cell] = 1; });
-	markWanted(map, map.cellOf(input.robot_in_map), robot.radius_m);
+	markWanted(map, input, robot.radius_m);
 	return map;
 }
 
