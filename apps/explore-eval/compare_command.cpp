@@ -33,12 +33,17 @@ std::string nameBeside(const NamedRun& base, const NamedRun& run)
 	return name;
 }
 
-void write(const fs::path& folder, const std::string& tables, const std::string& json)
+/** To the standard output, and with --out into its folder. */
+void show(const std::string& tables, const EvalOptions& options)
 {
-	makeFolder(folder);
-	writeFileAtomically(folder / "compare.txt", tables);
-	writeFileAtomically(folder / "compare.json", json);
+	if (!options.out.empty())
+	{
+		makeFolder(options.out);
+		writeFileAtomically(fs::path(options.out) / "compare.txt", tables);
+	}
+	OutputFile::standardOutput().write(tables);
 }
+
 /** Explorations of `soak`, run by run. */
 int compareSoaks(const std::vector<SoakRun>& base, const EvalOptions& options)
 {
@@ -50,12 +55,7 @@ int compareSoaks(const std::vector<SoakRun>& base, const EvalOptions& options)
 		if (pairs.empty()) throw InputError(folder + ": no exploration of the worlds and seeds of " + options.base);
 		tables += soakPairsText(options.base, folder, pairs);
 	}
-	if (!options.out.empty())
-	{
-		makeFolder(options.out);
-		writeFileAtomically(fs::path(options.out) / "compare.txt", tables);
-	}
-	OutputFile::standardOutput().write(tables);
+	show(tables, options);
 	return kDone;
 }
 }  // namespace
@@ -72,8 +72,9 @@ int compareEvaluations(const EvalOptions& options)
 		comparisons.push_back(compareRuns(base, other));
 	}
 	const std::string tables = comparisonText(base.name, comparisons);
-	if (!options.out.empty()) write(options.out, tables, comparisonJson(base.name, comparisons));
-	OutputFile::standardOutput().write(tables);
+	show(tables, options);
+	if (!options.out.empty())
+		writeFileAtomically(fs::path(options.out) / "compare.json", comparisonJson(base.name, comparisons));
 	const auto exceeded = exceededLimits(options.costs, comparisons);
 	for (const std::string& line : exceeded) std::cerr << "explore-eval: costs too much: " << line << '\n';
 	return exceeded.empty() ? kDone : kRequirementMissed;

@@ -69,7 +69,8 @@ std::string exploreAll(Run& run)
 		if (auto reason = exploreOneFrame(run)) return *std::move(reason);
 		if (run.keeper.due()) keepState(run);
 		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-		run.logger.status().update(progressOf(run), elapsed.count());
+		StatusLine& status = run.logger.status();
+		if (status.isDue(elapsed.count())) status.update(progressOf(run), elapsed.count());
 	}
 	return std::string(kInterrupted);
 }

@@ -19,12 +19,7 @@ namespace
 /** Two rooms with a door between them; somebody walks up and down in the first one. */
 World twoRooms()
 {
-	World world;
-	addBox(world, {{-3.0, -4.0, -0.1}, {11.0, 4.0, 0.0}}, "floor");
-	addBox(world, {{-2.1, -3.1, 0.0}, {-2.0, 3.1, 2.5}}, "west");
-	addBox(world, {{10.0, -3.1, 0.0}, {10.1, 3.1, 2.5}}, "east");
-	addBox(world, {{-2.0, 3.0, 0.0}, {10.0, 3.1, 2.5}}, "north");
-	addBox(world, {{-2.0, -3.1, 0.0}, {10.0, -3.0, 2.5}}, "south");
+	World world = hall();
 	addBox(world, {{1.0, -2.5, 0.0}, {1.5, -2.0, 0.8}}, "box");
 	for (const Box& box : boxesOf({.face_x = 3.5, .half_length_m = 3.0})) addBox(world, box, "wall");
 	MovingBody walker;

@@ -30,6 +30,18 @@ inline void addBox(simulation::World& world, const Box& box, const std::string& 
 	world.add(name, piece, world.materialNamed(material));
 }
 
+/** A hall of 12 m × 6 m, the origin 2 m from its west end, on its axis. */
+inline simulation::World hall()
+{
+	simulation::World world;
+	addBox(world, {{-3.0, -4.0, -0.1}, {11.0, 4.0, 0.0}}, "floor");
+	addBox(world, {{-2.1, -3.1, 0.0}, {-2.0, 3.1, 2.5}}, "west");
+	addBox(world, {{10.0, -3.1, 0.0}, {10.1, 3.1, 2.5}}, "east");
+	addBox(world, {{-2.0, 3.0, 0.0}, {10.0, 3.1, 2.5}}, "north");
+	addBox(world, {{-2.0, -3.1, 0.0}, {10.0, -3.0, 2.5}}, "south");
+	return world;
+}
+
 /** A wall across the x axis, its near face at `face_x`, with one opening around y = 0. */
 struct DoorWall
 {

@@ -15,18 +15,6 @@ using namespace explore::test;
 
 namespace
 {
-/** A hall of 12 m × 6 m, the start 2 m from its west end, on its axis. */
-World hall()
-{
-	World world;
-	addBox(world, {{-3.0, -4.0, -0.1}, {11.0, 4.0, 0.0}}, "floor");
-	addBox(world, {{-2.1, -3.1, 0.0}, {-2.0, 3.1, 2.5}}, "west");
-	addBox(world, {{10.0, -3.1, 0.0}, {10.1, 3.1, 2.5}}, "east");
-	addBox(world, {{-2.0, 3.0, 0.0}, {10.0, 3.1, 2.5}}, "north");
-	addBox(world, {{-2.0, -3.1, 0.0}, {10.0, -3.0, 2.5}}, "south");
-	return world;
-}
-
 ClosedLoopConfig usual(const char* camera = "xtion")
 {
 	ClosedLoopConfig config;

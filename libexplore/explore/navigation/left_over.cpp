@@ -16,18 +16,13 @@ constexpr double kJoin_m = 1.0;
 /** The unknown cells beside a frontier, each once. */
 std::vector<CellIndex> unknownBeside(const PlanMap& map, const FrontierCluster& cluster)
 {
-	static constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 	std::vector<CellIndex> cells;
 	for (const std::size_t cell : cluster.cells)
-	{
-		const Eigen::Array3i place = map.placeOf(static_cast<CellIndex>(cell));
-		for (const auto& [dx, dy] : kBeside)
-		{
-			const Eigen::Array3i next = place + Eigen::Array3i(dx, dy, 0);
-			if (map.contains(next) && map.cells[map.cellAt(next)] == CellState::unknown)
-				cells.push_back(map.cellAt(next));
-		}
-	}
+		forEachBeside(map, static_cast<CellIndex>(cell),
+		              [&](CellIndex next)
+		              {
+			              if (map.cells[next] == CellState::unknown) cells.push_back(next);
+		              });
 	std::sort(cells.begin(), cells.end());
 	cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 	return cells;

@@ -68,7 +68,7 @@ void leave(Mission& mission, double now_s)
 }
 
 MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const FrontierMemory& memory,
-                    const MissionNow& now, double path_m, const RobotConfig& robot)
+                    const MissionNow& now, const RobotConfig& robot)
 {
 	MissionGoal goal;
 	goal.stand_in_map = target.stand_in_map;
@@ -77,7 +77,6 @@ MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const Fro
 	goal.gain_m2 = target.gain_m2;
 	goal.looks_around = target.looks_around;
 	goal.chosen_at_s = now.t_s;
-	goal.chosen_at_m = path_m;
 	goal.patience_s = kPatience_s + kPatience * target.travel_m / robot.max_speed_mps;
 	const GoalName name = nameOf(target, plan.field.wayTo(target.look.cell), plan.map, memory, robot);
 	goal.kind = name.kind;
@@ -122,7 +121,8 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
 		pick = nearestTarget(plan.targets);
 	if (pick == input.current) return;
 	if (mission.goal) leave(mission, now.t_s);
-	mission.goal = goalFor(plan.targets[pick], plan, memory, now, mission.path_m, robot);
+	mission.goal = goalFor(plan.targets[pick], plan, memory, now, robot);
+	mission.goal->chosen_at_m = mission.path_m;
 }
 
 /** Why the robot has to go home now although there is more to see. */
@@ -231,9 +231,11 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 			return;
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);
-		if (reached) mission.left.clear();
 		mission.held = !reached && mission.path_m - mission.goal->chosen_at_m < kTrail_m;
-		if (!reached) leave(mission, now.t_s);
+		if (reached)
+			mission.left.clear();
+		else
+			leave(mission, now.t_s);
 		mission.goal.reset();
 		plans = true;
 	}

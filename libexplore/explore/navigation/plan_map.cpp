@@ -19,17 +19,6 @@ bool isObstacle(CellState state)
 	return state == CellState::occupied || state == CellState::drop;
 }
 
-template <class Visit>
-void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
-{
-	const auto columns = static_cast<CellIndex>(map.frame.columns), rows = static_cast<CellIndex>(map.frame.rows);
-	const CellIndex column = cell % columns, row = cell / columns % rows;
-	if (column + 1 < columns) visit(cell + 1);
-	if (column > 0) visit(cell - 1);
-	if (row + 1 < rows) visit(cell + columns);
-	if (row > 0) visit(cell - columns);
-}
-
 /** Distances [m] in each layer to the marked cells. */
 std::vector<float> distances(const PlanMap& map, const std::vector<std::uint8_t>& marked, double limit_m)
 {
@@ -100,7 +89,6 @@ void forEachAround(const PlanMap& map, CellIndex middle, double reach_m, const V
 void markTrail(PlanMap& map, const std::vector<Eigen::Vector3d>& trail_in_map, double radius_m)
 {
 	for (const Eigen::Vector3d& at : trail_in_map)
-	{
 		forEachAround(map, map.cellOf(at), kTrail_m,
 		              [&](CellIndex cell)
 		              {
@@ -108,7 +96,6 @@ void markTrail(PlanMap& map, const std::vector<Eigen::Vector3d>& trail_in_map, d
 			              if (fits && map.allowed[cell] != 0 && map.cells[cell] == CellState::free)
 				              map.passable[cell] = 1;
 		              });
-	}
 }
 
 /** The cells that are joined to any of `starts` by cells that `is` holds of, themselves included. */

@@ -44,6 +44,18 @@ struct PlanMap
 	[[nodiscard]] Eigen::Vector3d middleOf(CellIndex cell) const;
 };
 
+/** The four cells beside it in its layer: visit(cell). */
+template <class Visit>
+void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
+{
+	const auto columns = static_cast<CellIndex>(map.frame.columns), rows = static_cast<CellIndex>(map.frame.rows);
+	const CellIndex column = cell % columns, row = cell / columns % rows;
+	if (column + 1 < columns) visit(cell + 1);
+	if (column > 0) visit(cell - 1);
+	if (row + 1 < rows) visit(cell + columns);
+	if (row > 0) visit(cell - columns);
+}
+
 /** What a plan starts from. */
 struct PlanInput
 {

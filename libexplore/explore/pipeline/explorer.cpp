@@ -11,11 +11,6 @@ namespace
 /** The avoider asks the map this far around the robot. */
 constexpr double kAround_m = 2.0;
 
-double secondsOf(const DepthFrame& frame)
-{
-	return mrpt::Clock::toDouble(frame.timestamp);
-}
-
 /** The floor of this frame, else the last one that was seen. */
 std::optional<Ground> groundToReport(const std::optional<Ground>& seen, std::optional<Ground> last)
 {
@@ -139,7 +134,8 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 	                          config.near_field_guard);
 	const StopReason forbidden = reasonToStop(frame, result.percepts, memory, state, config);
 	result.decision = decideOn(intent, avoidance, forbidden, speedNow(frame, state, config.heading), config);
-	noteDecision(state.steering, result.decision, forbidden == StopReason::empty_frame, secondsOf(frame));
+	noteDecision(state.steering, result.decision, forbidden == StopReason::empty_frame,
+	             mrpt::Clock::toDouble(frame.timestamp));
 	done("heading");
 
 	state.last_ground = result.percepts.ground;

@@ -34,12 +34,16 @@ std::string progressText(const Progress& progress, double rate_hz, double elapse
 
 StatusLine::StatusLine(Style style, Write write) : m_style(style), m_write(std::move(write)) {}
 
+bool StatusLine::isDue(double elapsed_s) const
+{
+	const double period_s = m_style == Style::terminal ? kTerminalPeriod_s : kPlainPeriod_s;
+	return m_style != Style::silent && elapsed_s - m_shown_at_s >= period_s;
+}
+
 void StatusLine::update(const Progress& progress, double elapsed_s)
 {
-	if (m_style == Style::silent) return;
-	const double since_s = elapsed_s - m_shown_at_s;
-	if (since_s < (m_style == Style::terminal ? kTerminalPeriod_s : kPlainPeriod_s)) return;
-	const double rate_hz = static_cast<double>(progress.frames - m_shown_frames) / since_s;
+	if (!isDue(elapsed_s)) return;
+	const double rate_hz = static_cast<double>(progress.frames - m_shown_frames) / (elapsed_s - m_shown_at_s);
 	const std::string text = progressText(progress, rate_hz, elapsed_s);
 	m_shown_at_s = elapsed_s;
 	m_shown_frames = progress.frames;

@@ -37,7 +37,9 @@ public:
 
 	StatusLine(Style style, Write write);
 
-	/** Shows `progress` when it is time to; `elapsed_s` since the start never falls. */
+	/** Whether it is time to show something; `elapsed_s` since the start never falls. */
+	[[nodiscard]] bool isDue(double elapsed_s) const;
+	/** Shows `progress` when it is time to. */
 	void update(const Progress& progress, double elapsed_s);
 	/** A line of the log, without newline; stands above the status line on a terminal. */
 	void log(std::string_view line);

@@ -1,0 +1,217 @@
+// What a mission decides when it is told where the robot is and what it knows: goals, their ends, and the end of all.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "navigation/mission_run.h"
+
+namespace explore
+{
+namespace
+{
+/** A room whose exit, at the right, is closed ('d') or not; 0.2 m a character. */
+test::DrawnMap roomWith(char exit)
+{
+	std::vector<std::string> rows{"????????????????????", "###############?????", "#.............#?????",
+	                              "#.............#?????", "#.............#?????", "#.............d?????",
+	                              "#..h.......r..d?????", "#.............d?????", "#.............d?????",
+	                              "#.............d?????", "#.............#?????", "###############?????",
+	                              "????????????????????"};
+	for (std::string& row : rows) std::ranges::replace(row, 'd', exit);
+	return test::DrawnMap(rows, 0.2);
+}
+
+/** A mission that is told where the robot is. */
+class ToldMission : public testing::Test
+{
+protected:
+	void at(const Eigen::Vector3d& place, double yaw_rad)
+	{
+		MissionNow now;
+		now.map_from_robot.translate(place).rotate(Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()));
+		now.t_s = m_t_s += 1.0;
+		pursue(m_mission, m_memory, now, {}, {});
+	}
+	/** Goes where the mission wants it until it no longer explores. Returns how often. */
+	int lookUntilNothingIsLeft()
+	{
+		int looks = 0;
+		while (m_mission.phase == MissionPhase::explore && looks < 50)
+		{
+			at(m_mission.goal->stand_in_map, m_mission.goal->yaw_rad);
+			++looks;
+		}
+		return looks;
+	}
+
+	double m_t_s = 1000;
+	Mission m_mission;
+	FrontierMemory m_memory = test::memoryOf(roomWith('#'));
+	const Eigen::Vector3d m_home = roomWith('#').at('h'), m_robot = roomWith('#').at('r');
+};
+
+TEST_F(ToldMission, NothingLeftMeansHomeAndHomeMeansDone)
+{
+	at(m_home, 0.0);
+	at(m_robot, 0.5);
+	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
+	ASSERT_TRUE(m_mission.goal);
+	EXPECT_EQ(m_mission.goal->kind, GoalKind::home);
+	EXPECT_LT((m_mission.way_in_map.back() - m_home).norm(), 1e-9);
+	at(m_home + Eigen::Vector3d(0.2, 0, 0), 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::go_home) << "20 cm away";
+	at(m_home + Eigen::Vector3d(0.03, 0, 0), 1.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::done);
+	const double path_m = m_mission.path_m;
+	EXPECT_NEAR(path_m, 1.6 + 1.4 + 0.17, 1e-9);
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_home, 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::done) << "done is done";
+}
+
+TEST_F(ToldMission, AnExitThatOpensOnTheWayHomeIsLookedAt)
+{
+	at(m_home, 0.0);
+	at(m_robot, 0.0);
+	ASSERT_EQ(m_mission.phase, MissionPhase::go_home);
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_robot, 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::explore);
+	EXPECT_EQ(m_mission.end, MissionEnd::none);
+	ASSERT_TRUE(m_mission.goal);
+	EXPECT_NE(m_mission.goal->kind, GoalKind::home);
+	EXPECT_NEAR(m_mission.goal->frontier_in_map.x(), 2.9, 0.2);
+}
+
+TEST_F(ToldMission, AFrontierThatLooksDoNotMoveIsLeftAfterTwoAndTakenUpAgainWhenItHasMoved)
+{
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_home, 0.0);
+	ASSERT_EQ(m_mission.phase, MissionPhase::explore);
+	EXPECT_LE(lookUntilNothingIsLeft(), 3);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
+	ASSERT_FALSE(m_mission.left_over.empty());
+	for (const LeftOver& one : m_mission.left_over) EXPECT_EQ(one.why, LeftOverReason::sealed);
+	// A metre more becomes known.
+	test::DrawnMap more = roomWith('.');
+	for (int column = 15; column < 19; ++column)
+		for (int row = 3; row < 8; ++row) more.set(column, row, '.');
+	test::change(m_memory, roomWith('.'), more);
+	at(m_robot, 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::explore);
+}
+
+TEST_F(ToldMission, AGoalStaysWhileNothingSpeaksAgainstItAndIsLostWhenTheMapShowsAll)
+{
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_home, 0.0);
+	ASSERT_TRUE(m_mission.goal);
+	const Eigen::Vector3d stand = m_mission.goal->stand_in_map;
+	const double yaw_rad = m_mission.goal->yaw_rad;
+	for (int i = 1; i < 5; ++i)
+	{
+		at(m_home + Eigen::Vector3d(0.05 * i, 0, 0), 0.1 * i);
+		ASSERT_TRUE(m_mission.goal);
+		EXPECT_EQ(m_mission.goal->stand_in_map, stand);
+		EXPECT_EQ(m_mission.goal->yaw_rad, yaw_rad);
+		EXPECT_FALSE(m_mission.goal_lost);
+	}
+	test::change(m_memory, roomWith('.'), roomWith('#'));
+	at(m_home + Eigen::Vector3d(0.3, 0, 0), 0.0);
+	EXPECT_TRUE(m_mission.goal_lost);
+	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
+}
+
+TEST_F(ToldMission, AGoalThatTakesTooLongIsGivenUp)
+{
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_home, 0.0);
+	ASSERT_TRUE(m_mission.goal);
+	m_t_s += m_mission.goal->patience_s + 1.0;
+	at(m_home, 0.0);
+	EXPECT_FALSE(m_mission.tried.empty());
+	m_t_s += 1000.0;
+	at(m_home + Eigen::Vector3d(0.2, 0, 0), 0.0);
+	at(m_home, 0.0);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left) << "twice in vain";
+}
+
+/** A robot that knows nothing but a cell or two around itself, walls nowhere. */
+test::DrawnMap boxedIn()
+{
+	std::vector<std::string> rows(40, std::string(40, '?'));
+	for (int row = 17; row < 23; ++row) rows[static_cast<std::size_t>(row)].replace(17, 6, "######");
+	for (int row = 18; row < 22; ++row) rows[static_cast<std::size_t>(row)].replace(18, 4, "....");
+	rows[20][20] = 'r';
+	return test::DrawnMap(rows, 0.2);
+}
+
+TEST_F(ToldMission, ARobotThatFindsNoWayOnLooksAllAroundAndSaysSo)
+{
+	m_memory = test::memoryOf(boxedIn());
+	const Eigen::Vector3d place = boxedIn().at('r');
+	at(place, 0.0);
+	std::set<int> directions;
+	int looks = 0;
+	for (; m_mission.phase == MissionPhase::explore && looks < 50; ++looks)
+	{
+		ASSERT_TRUE(m_mission.goal->looks_around);
+		EXPECT_LT((m_mission.goal->stand_in_map - place).head<2>().norm(), 0.1);
+		directions.insert(static_cast<int>(std::lround(m_mission.goal->yaw_rad / 0.5)));
+		at(place, m_mission.goal->yaw_rad);
+	}
+	EXPECT_GE(directions.size(), 6U) << "of 57 degrees each";
+	EXPECT_LT(looks, 20);
+	at(place, 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::done) << "it is where it began";
+	EXPECT_EQ(m_mission.end, MissionEnd::cut_off) << "which is not the end of an exploration";
+}
+
+TEST_F(ToldMission, ARobotThatIsCutOffFromHomeDoesNotSayThatNothingIsLeft)
+{
+	at(m_home, 0.0);
+	at(m_robot, 0.0);
+	ASSERT_EQ(m_mission.end, MissionEnd::nothing_left);
+	test::DrawnMap divided = roomWith('#');
+	for (int row = 0; row < divided.rows(); ++row) divided.set(7, row, '#');
+	test::change(m_memory, roomWith('#'), divided);
+	at(m_robot, 0.0);
+	ASSERT_EQ(m_mission.phase, MissionPhase::explore);
+	EXPECT_TRUE(m_mission.goal->looks_around);
+	for (int looks = 0; m_mission.phase == MissionPhase::explore && looks < 50; ++looks)
+		at(m_robot, m_mission.goal->yaw_rad);
+	EXPECT_EQ(m_mission.end, MissionEnd::cut_off);
+	// What stood in the way goes away.
+	test::change(m_memory, divided, roomWith('#'));
+	at(m_robot, 0.0);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
+	EXPECT_TRUE(m_mission.goal->reachable);
+}
+
+TEST_F(ToldMission, ARobotThatDoesNotMoveAtAllLooksAroundBeforeItTriesAgain)
+{
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_home, 3.0);
+	ASSERT_TRUE(m_mission.goal);
+	EXPECT_FALSE(m_mission.goal->looks_around);
+	m_t_s += m_mission.goal->patience_s + 1.0;
+	at(m_home, 3.0);
+	ASSERT_TRUE(m_mission.goal);
+	EXPECT_TRUE(m_mission.goal->looks_around);
+	at(m_home + Eigen::Vector3d(0.3, 0, 0), 0.0);
+	ASSERT_TRUE(m_mission.goal);
+	EXPECT_FALSE(m_mission.goal->looks_around) << "it can move";
+}
+
+TEST(MissionEndName, IsWhatTheSummarySays)
+{
+	EXPECT_EQ(nameOf(MissionEnd::none), "");
+	EXPECT_EQ(nameOf(MissionEnd::nothing_left), "nothing reachable left");
+	EXPECT_EQ(nameOf(MissionEnd::time_budget), "time budget");
+	EXPECT_EQ(nameOf(MissionEnd::path_budget), "path budget");
+	EXPECT_EQ(nameOf(MissionEnd::cut_off), "no way on");
+}
+}  // namespace
+}  // namespace explore
