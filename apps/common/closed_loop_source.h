@@ -3,6 +3,7 @@
 
 #include <common/app_config.h>
 #include <explore/core/byte_archive.h>
+#include <explore/core/contact.h>
 #include <explore/core/truth.h>
 #include <explore/sources/source.h>
 
@@ -16,7 +17,7 @@ struct TrueState
 {
 	double t_s = 0;  ///< since the first frame
 	mrpt::poses::CPose3D map_from_robot;
-	std::size_t collisions = 0;             ///< so far
+	std::vector<Contact> contacts;          ///< so far
 	std::optional<double> min_clearance_m;  ///< of the moving body, so far; no value before it moved
 };
 

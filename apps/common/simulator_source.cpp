@@ -79,8 +79,7 @@ public:
 	[[nodiscard]] TrueState trueState() const override
 	{
 		const SimulatedRobot& robot = m_loop.robot();
-		return {robot.trueState().t_s, robot.trueState().mapFromRobot(), robot.contacts().size(),
-		        m_loop.minClearance()};
+		return {robot.trueState().t_s, robot.trueState().mapFromRobot(), robot.contacts(), m_loop.minClearance()};
 	}
 	[[nodiscard]] TruthReach reachable() const override
 	{

@@ -35,9 +35,9 @@ AppConfig configFor(const std::string& log, const std::optional<TruthLog>& truth
 
 LoadedConfig loadScoredConfig(const EvalOptions& options)
 {
-	ConfigChoices choices = options;
-	choices.set.insert(choices.set.begin(), "memory.enabled=false");
-	return loadConfig(choices);
+	EvalOptions framewise = options;
+	framewise.set.insert(framewise.set.begin(), "memory.enabled=false");
+	return loadConfig(framewise);
 }
 
 MessageList::MessageList() : COutputLogger("explore-eval")

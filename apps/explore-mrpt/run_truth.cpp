@@ -24,7 +24,7 @@ std::optional<TruthSummary> RunTruth::summary(const octomap::OcTree* map) const
 	if (m_robot == nullptr) return std::nullopt;
 	const TrueState state = m_robot->trueState();
 	TruthSummary truth;
-	truth.collisions = state.collisions;
+	truth.contacts = state.contacts;
 	truth.min_clearance_m = state.min_clearance_m;
 	truth.path_m = m_watch.path_m();
 	truth.from_start_m = m_watch.fromStart_m();

@@ -26,7 +26,7 @@ SoakRun runOf(const std::string& world, int seed, double path_m, bool complete =
 void leaveSummary(const std::filesystem::path& folder, double path_m)
 {
 	RunSummary summary;
-	summary.truth = TruthSummary{0, 0.125, path_m, 0.0, 0, 40.0, 0.9};
+	summary.truth = TruthSummary{{}, 0.125, path_m, 0.0, 0, 40.0, 0.9};
 	std::filesystem::create_directories(folder);
 	test::writeFile(folder / "summary.json", summaryJson(summary));
 }

@@ -38,7 +38,7 @@ TEST(Soak, ReadsWhatARunLeaves)
 {
 	RunSummary summary;
 	summary.reason = "time limit";
-	summary.truth = TruthSummary{2, 0.125, 31.5, 0.25, 3, 40.5, 0.875};
+	summary.truth = TruthSummary{{{}, {}}, 0.125, 31.5, 0.25, 3, 40.5, 0.875};
 	const auto path = test::freshFolder() / "summary.json";
 	test::writeFile(path, summaryJson(summary));
 	const SoakRun run = readSoakRun("corridor", 7, path);

@@ -60,9 +60,10 @@ TEST(Summary, TruthIsThereWhereItIsKnown)
 {
 	RunSummary summary = someSummary();
 	EXPECT_FALSE(json::parse(summaryJson(summary)).contains("truth"));
-	summary.truth = TruthSummary{2, 0.125, 31.5, 0.25, 3, 40.5, 0.875};
+	summary.truth = TruthSummary{{{2.5, {1, 2, 0}}, {8, {3, 4, 0.5}}}, 0.125, 31.5, 0.25, 3, 40.5, 0.875};
 	EXPECT_EQ(json::parse(summaryJson(summary))["truth"],
-	          json::parse(R"({"collisions":2,"min_clearance_m":0.125,"path_m":31.5,"from_start_m":0.25,"goal_flips":3,
+	          json::parse(R"({"collisions":2,"contacts":[{"t":2.5,"position_in_map":[1,2,0]},
+		{"t":8,"position_in_map":[3,4,0.5]}],"min_clearance_m":0.125,"path_m":31.5,"from_start_m":0.25,"goal_flips":3,
 		"reachable_m2":40.5,"coverage":0.875})"));
 	EXPECT_THAT(summaryText(summary), AllOf(HasSubstr("2 collisions"), HasSubstr("coverage 87.5 % of 40.5 m2")));
 	summary.truth = TruthSummary{};

@@ -10,6 +10,7 @@
 #include <explore/memory/door_tracks.h>
 #include <explore/memory/frontiers.h>
 #include <explore/memory/occupancy.h>
+#include <explore/memory/recent_obstacles.h>
 
 namespace explore
 {
@@ -37,14 +38,15 @@ struct FrontierMemory
 	Frontiers frontiers;
 	DoorTracks doors;
 	CorridorTracks corridors;
+	RecentObstacles recent;
 };
 
 /** Writes a memory, or reads it into an empty one that was made alike: both go on in the same way then. */
 template <class Archive>
 void exchange(Archive& archive, FrontierMemory& memory)
 {
-	auto& [map, layers, frontiers, doors, corridors] = memory;  // all there is
-	archive(map), archive(layers), archive(doors), archive(corridors);
+	auto& [map, layers, frontiers, doors, corridors, recent] = memory;  // all there is
+	archive(map), archive(layers), archive(doors), archive(corridors), archive(recent);
 	if (Archive::kReads) frontiers.update(layers);
 }
 

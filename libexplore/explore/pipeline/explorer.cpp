@@ -35,15 +35,20 @@ bool isUnknownMapped(const FrontierMemory* memory, const ExplorerConfig& config)
 	return memory != nullptr && config.mission.policy != GoalPolicy::paper;
 }
 
+void append(PointCloud& all, const PointCloud& more)
+{
+	for (std::size_t i = 0; i < more.size(); ++i) all.push_back(more[i]);
+}
+
 /** What stands around the robot: as this frame shows it, and as the memory has it. */
 PointCloud obstaclesAround(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
                            const ExplorerConfig& config)
 {
 	PointCloud all = percepts.obstacles_in_robot;
 	if (memory == nullptr) return all;
-	const PointCloud known = mapObstacles(memory->layers, isometryOf(frame.map_from_robot), config.robot, kAround_m,
-	                                      isUnknownMapped(memory, config));
-	for (std::size_t i = 0; i < known.size(); ++i) all.push_back(known[i]);
+	const Eigen::Isometry3d map_from_robot = isometryOf(frame.map_from_robot);
+	append(all, mapObstacles(memory->layers, map_from_robot, config.robot, kAround_m, isUnknownMapped(memory, config)));
+	append(all, inRobotFrame(memory->recent, map_from_robot));
 	return all;
 }
 

@@ -1,6 +1,7 @@
 // A robot in a simulated world: takes commands, moves, bumps into things, and senses its own motion.
 #pragma once
 
+#include <explore/core/contact.h>
 #include <explore/simulation/movers.h>
 #include <explore/simulation/odometry.h>
 #include <explore/simulation/ray_scene.h>
@@ -10,13 +11,6 @@
 
 namespace explore::simulation
 {
-/** One touch of the body with something while the robot moved. */
-struct Contact
-{
-	double t_s = 0;
-	Eigen::Vector3d position_in_map = Eigen::Vector3d::Zero();  ///< of the robot
-};
-
 /** The same commands and seed give the same motion, estimates and readings. */
 class SimulatedRobot
 {

@@ -75,9 +75,16 @@ Json explorationJson(const RunSummary& summary)
 
 Json truthJson(const TruthSummary& truth)
 {
-	return {{"collisions", truth.collisions},        {"min_clearance_m", jsonOrNull(truth.min_clearance_m)},
-	        {"path_m", jsonNumber(truth.path_m)},    {"from_start_m", jsonNumber(truth.from_start_m)},
-	        {"goal_flips", truth.goal_flips},        {"reachable_m2", jsonNumber(truth.reachable_m2)},
+	Json contacts = Json::array();
+	for (const Contact& contact : truth.contacts)
+		contacts.push_back({{"t", jsonNumber(contact.t_s)}, {"position_in_map", jsonVector(contact.position_in_map)}});
+	return {{"collisions", truth.contacts.size()},
+	        {"contacts", contacts},
+	        {"min_clearance_m", jsonOrNull(truth.min_clearance_m)},
+	        {"path_m", jsonNumber(truth.path_m)},
+	        {"from_start_m", jsonNumber(truth.from_start_m)},
+	        {"goal_flips", truth.goal_flips},
+	        {"reachable_m2", jsonNumber(truth.reachable_m2)},
 	        {"coverage", jsonOrNull(truth.coverage)}};
 }
 
@@ -112,7 +119,7 @@ std::string knownText(const ExplorationSummary& exploration)
 std::string truthText(const TruthSummary& truth)
 {
 	std::string text = mrpt::format("  truth: %zu collisions, %zu goal flips, %.1f m driven, %.2f m from the start",
-	                                truth.collisions, truth.goal_flips, truth.path_m, truth.from_start_m);
+	                                truth.contacts.size(), truth.goal_flips, truth.path_m, truth.from_start_m);
 	if (truth.min_clearance_m) text += mrpt::format(", nearest to anything %.2f m", *truth.min_clearance_m);
 	if (truth.coverage)
 		text += mrpt::format("\n  coverage %.1f %% of %.1f m2", 100.0 * *truth.coverage, truth.reachable_m2);

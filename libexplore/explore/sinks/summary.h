@@ -1,6 +1,7 @@
 // summary.json: what one run did, in one document; and the same in a few lines for people.
 #pragma once
 
+#include <explore/core/contact.h>
 #include <explore/core/depth_frame.h>
 #include <explore/pipeline/explorer.h>
 #include <explore/sinks/exploration_summary.h>
@@ -64,7 +65,7 @@ struct InputSummary
 /** What a simulated run was really like (doc/definitions.md, "Exploration"). */
 struct TruthSummary
 {
-	std::size_t collisions = 0;
+	std::vector<Contact> contacts;
 	std::optional<double> min_clearance_m;  ///< of the moving body; no value where it never moved
 	double path_m = 0;                      ///< that the robot really went
 	double from_start_m = 0;                ///< straight, from its first place to its last
