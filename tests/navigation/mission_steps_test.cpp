@@ -124,6 +124,51 @@ TEST_F(ToldMission, AGoalStaysWhileNothingSpeaksAgainstItAndIsLostWhenTheMapShow
 	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
 }
 
+/** A room with an exit at the right that the robot is near, and one at the left; each is open ('.') or not. */
+test::DrawnMap roomWithTwo(char right, char left)
+{
+	std::vector<std::string> rows{"?????????????????????????????????????", "????############################?????",
+	                              "????#..........................#?????", "????#..........................#?????",
+	                              "????#..........................#?????", "????e..........................d?????",
+	                              "????e...h...................r..d?????", "????e..........................d?????",
+	                              "????e..........................d?????", "????e..........................d?????",
+	                              "????#..........................#?????", "????############################?????",
+	                              "?????????????????????????????????????"};
+	for (std::string& row : rows)
+	{
+		std::ranges::replace(row, 'd', right);
+		std::ranges::replace(row, 'e', left);
+	}
+	return test::DrawnMap(rows, 0.2);
+}
+
+TEST_F(ToldMission, AGoalThatTheMapTookAwayIsNotTakenUpAgainAtOnce)
+{
+	const test::DrawnMap both = roomWithTwo('.', '.'), left = roomWithTwo('#', '.');
+	m_memory = test::memoryOf(both);
+	const Eigen::Vector3d near_right = both.at('r');
+	const auto goes_right = [&] { return m_mission.goal->frontier_in_map.x() > near_right.x(); };
+	at(both.at('h'), 0.0);
+	at(near_right, 0.0);
+	ASSERT_TRUE(m_mission.goal);
+	ASSERT_TRUE(goes_right());
+	test::change(m_memory, both, left);
+	at(near_right, 0.1);
+	ASSERT_TRUE(m_mission.goal);
+	ASSERT_FALSE(goes_right());
+	test::change(m_memory, left, both);
+	for (int second = 0; second < 15; ++second)
+	{
+		at(near_right, 0.1);
+		ASSERT_TRUE(m_mission.goal);
+		EXPECT_FALSE(goes_right()) << "a goal flip, " << second << " s after it was left";
+	}
+	m_t_s += 10.0;
+	at(near_right, 0.1);
+	ASSERT_TRUE(m_mission.goal);
+	EXPECT_TRUE(goes_right()) << "it is nearer";
+}
+
 TEST_F(ToldMission, AGoalThatTakesTooLongIsGivenUp)
 {
 	test::change(m_memory, roomWith('#'), roomWith('.'));

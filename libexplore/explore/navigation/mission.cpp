@@ -60,10 +60,12 @@ bool isWorthKeeping(const MissionGoal& goal, const MissionPlan& plan, const Plan
 	return lookGain(plan.map, {cell, goal.yaw_rad}, config) >= config.min_gain_m2;
 }
 
-void leave(Mission& mission, double now_s)
+/** Takes leave of the goal, which is `done` when it was reached or has nothing to show any more. */
+void leave(Mission& mission, double now_s, bool done)
 {
-	if (mission.goal) mission.left.push_back({mission.goal->stand_in_map, now_s});
+	mission.left.push_back({mission.goal->stand_in_map, now_s});
 	std::erase_if(mission.left, [&](const LeftGoal& left) { return now_s - left.at_s > kLeft_s; });
+	mission.undone = !done;
 	mission.goal.reset();
 }
 
@@ -104,7 +106,8 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
                   const RobotConfig& robot, const MissionConfig& config)
 {
 	const auto lately = [&](const LookTarget& target) { return wasLeftLately(mission, target, now.t_s); };
-	if (!std::ranges::all_of(plan.targets, lately)) std::erase_if(plan.targets, lately);
+	const bool turns_back = (mission.goal || mission.undone) && !std::ranges::all_of(plan.targets, lately);
+	if (turns_back) std::erase_if(plan.targets, lately);
 	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
 	if (mission.goal)
 	{
@@ -120,7 +123,7 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
 	else if (!input.current)
 		pick = nearestTarget(plan.targets);
 	if (pick == input.current) return;
-	if (mission.goal) leave(mission, now.t_s);
+	if (mission.goal) leave(mission, now.t_s, false);
 	mission.goal = goalFor(plan.targets[pick], plan, memory, now, robot);
 	mission.goal->chosen_at_m = mission.path_m;
 }
@@ -165,9 +168,8 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	mission.open_frontiers = plan.targets.size();
 	if (mission.goal && mission.goal->kind != GoalKind::home && !isWorthKeeping(*mission.goal, plan, config.plan))
 	{
-		mission.goal.reset();
+		leave(mission, now.t_s, true);
 		mission.goal_lost = true;
-		mission.left.clear();
 	}
 
 	const MissionEnd spent = overBudget(mission) ? mission.end : budgetSpent(mission, plan, now, robot, config);
@@ -178,7 +180,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		goHome(mission, plan.cut_off ? MissionEnd::cut_off : MissionEnd::nothing_left, plan, now, robot);
 	else
 	{
-		if (mission.phase == MissionPhase::go_home) mission.goal.reset();
+		if (mission.phase == MissionPhase::go_home && mission.goal) leave(mission, now.t_s, false);
 		mission.phase = MissionPhase::explore;
 		mission.end = MissionEnd::none;
 		chooseTarget(mission, plan, memory, now, robot, config);
@@ -232,11 +234,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		}
 		addTry(mission, *mission.goal, mission.goal->gain_m2);
 		mission.held = !reached && mission.path_m - mission.goal->chosen_at_m < kTrail_m;
-		if (reached)
-			mission.left.clear();
-		else
-			leave(mission, now.t_s);
-		mission.goal.reset();
+		leave(mission, now.t_s, reached);
 		plans = true;
 	}
 	if (plans) replan(mission, memory, now, robot, config);

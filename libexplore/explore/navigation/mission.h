@@ -84,7 +84,8 @@ struct Mission
 	std::optional<MissionGoal> goal;
 	bool goal_lost = false;                   ///< in this frame, by what the map newly shows
 	std::vector<Eigen::Vector3d> way_in_map;  ///< corners, from the robot to the goal
-	std::vector<LeftGoal> left;
+	std::vector<LeftGoal> left;               ///< lately, done or not
+	bool undone = false;                      ///< the last of them
 	std::vector<TriedFrontier> tried;
 	std::vector<BlockedSpot> blocked;
 	std::vector<LeftOver> left_over;  ///< of the last plan that found nothing to do

@@ -10,7 +10,7 @@ namespace explore
 /** Frontiers nearer to each other than this are one goal. */
 inline constexpr double kSameGoal_m = 0.6;
 
-/** The robot does not turn back to a goal that it left less than so long ago for one that it has not reached since. */
+/** The robot does not turn back to a goal that it left less than so long ago unless it has done with the one since. */
 inline constexpr double kLeft_s = 20.0;
 [[nodiscard]] bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_s);
 
