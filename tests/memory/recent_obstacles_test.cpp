@@ -3,6 +3,10 @@
 #include <explore/memory/recent_obstacles.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "support/drawn_map.h"
+
 namespace explore::test
 {
 namespace
@@ -28,6 +32,7 @@ PointCloud only(const Eigen::Vector3f& point)
 }
 
 const RobotConfig kRobot;
+const BodyLayers kUnknown({}, kRobot, 0.05);
 const Eigen::Vector3f kThing{0.6F, 0.1F, 0.05F};
 
 std::size_t left(const RecentObstacles& recent)
@@ -39,9 +44,9 @@ std::size_t left(const RecentObstacles& recent)
 TEST(RecentObstacles, WhatComesTooNearToBeMeasuredStays)
 {
 	RecentObstacles recent;
-	update(recent, frameAt(100, 0.6), only(kThing), kRobot);
+	update(recent, frameAt(100, 0.6), only(kThing), kUnknown, kRobot);
 	// It has come under the sensor's range: nothing is measured where it stands.
-	update(recent, frameAt(101, 0.0), {}, kRobot);
+	update(recent, frameAt(101, 0.0), {}, kUnknown, kRobot);
 	const PointCloud known = inRobotFrame(recent, Eigen::Isometry3d::Identity());
 	ASSERT_EQ(known.size(), 1U);
 	EXPECT_LT((known[0] - kThing).norm(), 1e-6F);
@@ -50,9 +55,9 @@ TEST(RecentObstacles, WhatComesTooNearToBeMeasuredStays)
 TEST(RecentObstacles, WhatTurnsOutOfViewStaysWhereItWas)
 {
 	RecentObstacles recent;
-	update(recent, frameAt(100, 0.6), only(kThing), kRobot);
+	update(recent, frameAt(100, 0.6), only(kThing), kUnknown, kRobot);
 	const mrpt::poses::CPose3D turned(0.1, 0.0, 0.0, M_PI / 2, 0.0, 0.0);
-	update(recent, frameAt(101, 4.0, turned), {}, kRobot);
+	update(recent, frameAt(101, 4.0, turned), {}, kUnknown, kRobot);
 	const PointCloud known = inRobotFrame(recent, isometryOf(turned));
 	ASSERT_EQ(known.size(), 1U);
 	EXPECT_LT((known[0] - Eigen::Vector3f(0.1F, -0.5F, 0.05F)).norm(), 1e-6F);
@@ -61,20 +66,20 @@ TEST(RecentObstacles, WhatTurnsOutOfViewStaysWhereItWas)
 TEST(RecentObstacles, WhatIsSeenThroughIsForgottenWhatIsHiddenIsNot)
 {
 	RecentObstacles recent;
-	update(recent, frameAt(100, 0.6), only(kThing), kRobot);
-	update(recent, frameAt(100.1, 0.5), {}, kRobot);
+	update(recent, frameAt(100, 0.6), only(kThing), kUnknown, kRobot);
+	update(recent, frameAt(100.1, 0.5), {}, kUnknown, kRobot);
 	EXPECT_EQ(left(recent), 1U) << "something else stands before it";
-	update(recent, frameAt(100.2, 2.0), {}, kRobot);
+	update(recent, frameAt(100.2, 2.0), {}, kUnknown, kRobot);
 	EXPECT_EQ(left(recent), 0U);
 }
 
 TEST(RecentObstacles, WhatIsOldIsForgotten)
 {
 	RecentObstacles recent;
-	update(recent, frameAt(100, 0.6), only(kThing), kRobot);
-	update(recent, frameAt(109.9, 0.0), {}, kRobot);
+	update(recent, frameAt(100, 0.6), only(kThing), kUnknown, kRobot);
+	update(recent, frameAt(109.9, 0.0), {}, kUnknown, kRobot);
 	EXPECT_EQ(left(recent), 1U);
-	update(recent, frameAt(110.1, 0.0), {}, kRobot);
+	update(recent, frameAt(110.1, 0.0), {}, kUnknown, kRobot);
 	EXPECT_EQ(left(recent), 0U);
 }
 
@@ -84,22 +89,46 @@ TEST(RecentObstacles, OnlyWhatIsNearCountsAndEachColumnOnce)
 	points.push_back({0.6F, 0.1F, 0.3F});
 	points.push_back({2.0F, 0.0F, 0.1F});
 	RecentObstacles ground, mav;
-	update(ground, frameAt(100, 0.0), points, kRobot);
+	update(ground, frameAt(100, 0.0), points, kUnknown, kRobot);
 	EXPECT_EQ(left(ground), 1U);
 	RobotConfig flying = kRobot;
 	flying.kind = RobotKind::mav;
-	update(mav, frameAt(100, 0.0), points, flying);
+	update(mav, frameAt(100, 0.0), points, kUnknown, flying);
 	EXPECT_EQ(left(mav), 2U) << "what flies passes above and below things";
+}
+
+TEST(RecentObstacles, WhatCameIntoFreeSpaceHasABodyBehindItsFront)
+{
+	const DrawnMap open_floor(std::vector<std::string>(60, std::string(60, '.')));
+	const Eigen::Vector3d at = open_floor.middleOf(20, 30);
+	const mrpt::poses::CPose3D pose(at.x(), at.y(), 0, 0, 0, 0);
+	const auto behind = [](const RecentObstacles& recent, const mrpt::poses::CPose3D& map_from_robot)
+	{
+		float farthest_m = 0;
+		const PointCloud known = inRobotFrame(recent, isometryOf(map_from_robot));
+		for (std::size_t i = 0; i < known.size(); ++i) farthest_m = std::max(farthest_m, known[i].x() - kThing.x());
+		return farthest_m;
+	};
+	RecentObstacles person, wall;
+	const BodyLayers free = layersOf(open_floor), unknown = BodyLayers({}, kRobot, 0.05);
+	update(person, frameAt(100, 0.6, pose), only(kThing), free, kRobot);
+	update(wall, frameAt(100, 0.6, pose), only(kThing), unknown, kRobot);
+	EXPECT_NEAR(behind(person, pose), 0.3, 0.02);
+	EXPECT_NEAR(behind(wall, pose), 0.0, 1e-6);
+	// When the map has come to know its front, its body is still there as long as the front is seen.
+	for (int second = 1; second < 30; ++second)
+		update(person, frameAt(100 + second, 0.6, pose), only(kThing), unknown, kRobot);
+	EXPECT_NEAR(behind(person, pose), 0.3, 0.02);
 }
 
 TEST(RecentObstacles, ACloudForgetsByAgeAlone)
 {
 	RecentObstacles recent;
-	update(recent, frameAt(100, 0.6), only(kThing), kRobot);
+	update(recent, frameAt(100, 0.6), only(kThing), kUnknown, kRobot);
 	DepthFrame cloud = frameAt(101, 0.0);
 	cloud.image = {};
 	cloud.points_in_camera.push_back({3.0F, 0.5F, 0.0F});
-	update(recent, cloud, {}, kRobot);
+	update(recent, cloud, {}, kUnknown, kRobot);
 	EXPECT_EQ(left(recent), 1U);
 }
 }  // namespace explore::test

@@ -84,7 +84,7 @@ void remember(FrontierMemory& memory, const DepthFrame& frame, Percepts& percept
 	noteStand(memory, frame);
 	memory.layers.update(memory.map.changes());
 	memory.frontiers.update(memory.layers);
-	update(memory.recent, frame, percepts.obstacles_in_robot, robot);
+	update(memory.recent, frame, percepts.obstacles_in_robot, memory.layers, robot);
 	if (config.tracks) updateTracks(memory, frame, percepts, robot, config);
 }
 }  // namespace explore
