@@ -85,5 +85,31 @@ TEST(NearField, EmptyImageAndUnorganisedCloud)
 	EXPECT_FALSE(unorganised.organised);
 	EXPECT_EQ(unorganised.valid_pixels, 1U);
 }
+
+TEST(NearField, WhatStandsTooNearHidesInStripsWithoutAnyReturn)
+{
+	test::Scene scene;
+	scene.floor(-1, -5, 8, 5).wall({5, -5}, {5, 5}, 2.5);
+	const NearFieldConfig config;
+	const auto hidden = [&](const DepthFrame& frame) { return hiddenNear(frame, nearField(frame, kFloor), config); };
+	EXPECT_TRUE(hidden(frameOf(scene)).empty()) << "the floor returns";
+
+	// Somebody at the right, 0.35 m away, taller than what the camera sees: as near as that nothing is measured.
+	scene.box({0.45, -0.2, 0.85}, {0.2, 0.2, 1.7});
+	DepthFrame frame = frameOf(scene);
+	for (float& depth_m : frame.image.depth_m)
+		if (depth_m < config.sensor_min_range_m) depth_m = 0;
+	const PointCloud points = hidden(frame);
+	ASSERT_FALSE(points.empty());
+	for (std::size_t i = 0; i < points.size(); ++i)
+	{
+		EXPECT_NEAR(points[i].x(), config.sensor_min_range_m - 0.05, 1e-6);
+		EXPECT_LT(points[i].y(), 0.0F) << "left is positive";
+		EXPECT_NEAR(points[i].z(), 0.5, 1e-6);
+	}
+
+	frame.image.depth_m.assign(frame.image.depth_m.size(), 0.0F);
+	EXPECT_TRUE(hidden(frame).empty()) << "in the dark nothing is known of anything";
+}
 }  // namespace
 }  // namespace explore

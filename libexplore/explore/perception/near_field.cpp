@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/near_field.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@ constexpr std::size_t kSampledColumns = 80;  // of the image: strips are far coa
 constexpr float kFloorClearance_m = 0.1F;
 constexpr double kNearestShare = 0.01;  // of a strip's pixels: fewer are noise
 constexpr std::size_t kMinPixels = 4;
+constexpr float kNothingReturns = 0.98F;  // share of a strip's pixels: a stray return is noise
+constexpr double kJustWithin_m = 0.05;
 
 /** Height above the ground per metre of depth: the sum of a part of the row and a part of the column. */
 struct HeightPerDepth
@@ -106,5 +109,26 @@ NearField nearField(const DepthFrame& frame, const std::optional<Plane>& ground)
 		}
 	std::ranges::transform(strips, result.sectors.begin(), &Strip::sector);
 	return result;
+}
+
+PointCloud hiddenNear(const DepthFrame& frame, const NearField& now, const NearFieldConfig& config)
+{
+	PointCloud points;
+	const auto is_blind = [](const NearField::Sector& sector) { return sector.no_return_share >= kNothingReturns; };
+	const auto blind = static_cast<std::size_t>(std::ranges::count_if(now.sectors, is_blind));
+	if (!now.organised || 2 * blind > NearField::kSectors) return points;
+	const CameraIntrinsics& camera = frame.image.intrinsics;
+	const Eigen::Isometry3d robot_from_camera = isometryOf(frame.robot_from_camera);
+	const double depth_m = std::max(0.0, config.sensor_min_range_m - kJustWithin_m);
+	const double strip_px = static_cast<double>(camera.width_px) / NearField::kSectors;
+	for (std::size_t i = 0; i < NearField::kSectors; ++i)
+		for (const double part : {0.0, 0.5, 1.0})
+		{
+			const double u_px = (static_cast<double>(i) + part) * strip_px;
+			if (is_blind(now.sectors[i]))
+				points.push_back(
+				    (robot_from_camera * (depth_m * rayOfPixel(camera, u_px, camera.cy_px))).cast<float>());
+		}
+	return points;
 }
 }  // namespace explore

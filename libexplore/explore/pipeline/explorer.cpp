@@ -120,6 +120,9 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 	done("perceive");
 
 	FrontierMemory* const memory = memoryFor(frame, state, config);
+	if (memory != nullptr && config.robot.kind == RobotKind::ground)
+		append(result.percepts.obstacles_in_robot,
+		       hiddenNear(frame, result.percepts.near_field, config.perception.near_field));
 	if (memory != nullptr) remember(*memory, frame, result.percepts, config.robot, config.memory);
 	done("remember");
 
