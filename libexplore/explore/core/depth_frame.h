@@ -39,7 +39,7 @@ struct DepthImage
 /** Where map_from_robot of a frame comes from. */
 enum class PoseOrigin
 {
-	none,        ///< the recording has no pose: map_from_robot is the identity
+	none,        ///< there is no pose: map_from_robot is the identity, or the last one that was known
 	robot_pose,  ///< CObservationRobotPose
 	odometry,    ///< CObservationOdometry
 	action,      ///< CActionRobotMovement2D / 3D

@@ -18,16 +18,16 @@ void describe(FieldVisitor& fields, RobotLinkConfig& config)
 	            "udp://address:port (0.0.0.0 = every network) or unix:///path of a socket that is made there");
 }
 
-void check(const RobotLinkConfig& config, bool stdout_is_taken)
+void check(const RobotLinkConfig& config)
 {
-	const LinkAddress commands = linkAddress("commands", config.commands);
-	const LinkAddress listen = linkAddress("listen", config.listen);
-	if (commands.kind == LinkKind::standard_output && stdout_is_taken)
-		throw ConfigError(
-		    "[robot_link] commands = stdout: --out - writes the frames there; name another folder, or "
-		    "send the commands to udp://host:port or unix:///path");
-	if (listen.kind == LinkKind::standard_output)
+	linkAddress("commands", config.commands);
+	if (linkAddress("listen", config.listen).kind == LinkKind::standard_output)
 		throw ConfigError(
 		    "[robot_link] listen = stdout: nothing comes in there; accepted: none, udp://address:port or unix:///path");
+}
+
+bool usesStandardOutput(const RobotLinkConfig& config)
+{
+	return linkAddress("commands", config.commands).kind == LinkKind::standard_output;
 }
 }  // namespace explore

@@ -17,7 +17,9 @@ struct RobotLinkConfig
 /** [robot_link] */
 void describe(FieldVisitor& fields, RobotLinkConfig& config);
 
-/** Throws ConfigError, with key and value, for an address that is none, and for commands to standard output where
- *  `stdout_is_taken` by results. */
-void check(const RobotLinkConfig& config, bool stdout_is_taken);
+/** Throws ConfigError, with key and value, for an address that is none. */
+void check(const RobotLinkConfig& config);
+
+/** Whether commands go to standard output. */
+[[nodiscard]] bool usesStandardOutput(const RobotLinkConfig& config);
 }  // namespace explore
