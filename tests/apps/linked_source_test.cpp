@@ -90,7 +90,10 @@ TEST_F(Linked, ThePoseJustBeforeIsTakenAndAnOldOneHalts)
 	for (int i = 0; i < 2; ++i)  // 0.1 and 0.2 s later
 	{
 		const DepthFrame frame = next();
-		if (i == 0) EXPECT_EQ(frame.pose_origin, PoseOrigin::robot_link);
+		if (i == 0)
+		{
+			EXPECT_EQ(frame.pose_origin, PoseOrigin::robot_link);
+		}
 	}
 	for (int i = 0; i < 3; ++i)
 	{

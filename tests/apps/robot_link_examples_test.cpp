@@ -41,7 +41,10 @@ std::string printedBy(const std::string& program, std::vector<std::string> argum
 	EXPECT_EQ(client.wait().exit_code, 0);
 	const auto lines = linesOf(readFile(folder / "o" / "frames.jsonl"));
 	EXPECT_EQ(lines.size(), 40U);
-	if (!lines.empty()) EXPECT_EQ(json::parse(lines.back())["pose"]["from"], "robot_link") << "its poses arrived";
+	if (!lines.empty())
+	{
+		EXPECT_EQ(json::parse(lines.back())["pose"]["from"], "robot_link") << "its poses arrived";
+	}
 	return readFile(printed);
 }
 

@@ -267,7 +267,9 @@ TEST_F(RobotLinkRun, ABumperStopsTheRobotUntilItIsReleased)
 	EXPECT_FALSE(frames[11]["stop"].get<bool>()) << "released";
 	for (const json& command : commands)
 		if (command["t"].is_null() || command["t"].get<double>() < kStart_s + 0.35)
+		{
 			EXPECT_TRUE(command["stop"].get<bool>());
+		}
 }
 
 TEST_F(RobotLinkRun, ACliffStopsTheRobot)

@@ -148,7 +148,7 @@ TEST(JsonCommandSink, AUnixReceiverThatLeavesIsAnErrorAndNoSignal)
 	{
 		const test::TestSocket robot = test::accepted(server);
 	}
-	EXPECT_THAT([&] { sink->stop(1.0), sink->stop(1.0); },
+	EXPECT_THAT(([&] { sink->stop(1.0), sink->stop(1.0); }),
 	            ThrowsMessage<OutputError>(HasSubstr("commands cannot be delivered")));
 }
 

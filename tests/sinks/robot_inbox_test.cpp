@@ -186,8 +186,14 @@ TEST(RobotInbox, SurvivesRandomBytesAndBrokenMessages)
 		for (const RobotMessage& message : inbox.drain())
 		{
 			++taken;
-			if (message.map_from_robot) EXPECT_LE(std::abs(message.map_from_robot->value.x()), 1e6);
-			if (message.scan) EXPECT_GE(message.scan->value.getScanSize(), 2U);
+			if (message.map_from_robot)
+			{
+				EXPECT_LE(std::abs(message.map_from_robot->value.x()), 1e6);
+			}
+			if (message.scan)
+			{
+				EXPECT_GE(message.scan->value.getScanSize(), 2U);
+			}
 		}
 	}
 	EXPECT_EQ(taken + inbox.malformed(), 30'000U);

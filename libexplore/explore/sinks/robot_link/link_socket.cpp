@@ -2,6 +2,7 @@
 #include <explore/sinks/robot_link/link_socket.h>
 #include <netdb.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -81,6 +82,11 @@ Descriptor connectedStream(const LinkAddress& address)
 /** Removes a socket at the path that nobody listens on any more. */
 void removeLeftover(const LinkAddress& address)
 {
+	struct stat status
+	{
+	};
+	const bool is_socket = ::lstat(address.path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
+	if (!is_socket) return;  // somebody's file stays, and bind() fails
 	if (connectedStream(address).valid()) fail<InputError>(address, "listen", "another program listens there");
 	if (errno == ECONNREFUSED) ::unlink(address.path.c_str());
 }

@@ -23,20 +23,25 @@ bool takesHolonomicCommands(mrpt::nav::CRobot2NavInterface& robot)
 	    "driven by velocities");
 }
 
-CVehicleVelCmd_DiffDriven differential(const Command& command)
+// MRPT's commands cannot be copied, their base's copy constructor calling what is not there yet: they are made where
+// they are used.
+
+bool drive(mrpt::nav::CRobot2NavInterface& robot, const Command& command)
 {
-	CVehicleVelCmd_DiffDriven result;
-	result.lin_vel = command.velocity_mps.x();
-	result.ang_vel = command.yaw_rate_radps;
-	return result;
+	CVehicleVelCmd_DiffDriven order;
+	order.lin_vel = command.velocity_mps.x();
+	order.ang_vel = command.yaw_rate_radps;
+	return robot.changeSpeeds(order);
 }
 
-CVehicleVelCmd_Holo holonomic(const Command& command)
+bool driveHolonomic(mrpt::nav::CRobot2NavInterface& robot, const Command& command)
 {
-	constexpr double kAtOnce_s = 0.0;
-	const Eigen::Vector2d velocity_mps = command.velocity_mps.head<2>();
-	const double direction_rad = std::atan2(velocity_mps.y(), velocity_mps.x());
-	return {velocity_mps.norm(), direction_rad, kAtOnce_s, command.yaw_rate_radps};
+	CVehicleVelCmd_Holo order;
+	order.vel = command.velocity_mps.head<2>().norm();
+	order.dir_local = std::atan2(command.velocity_mps.y(), command.velocity_mps.x());
+	order.ramp_time = 0.0;  // at once: the speeds change gently already
+	order.rot_speed = command.yaw_rate_radps;
+	return robot.changeSpeeds(order);
 }
 }  // namespace
 
@@ -64,8 +69,7 @@ void Robot2NavSink::send(const TimedCommand& command)
 {
 	if (command.command.velocity_mps.z() != 0.0)
 		m_remarks.say("vertical speed", "robot: MRPT's velocity commands have no vertical speed: climbs are left out");
-	const bool taken = m_holonomic ? m_robot.changeSpeeds(holonomic(command.command))
-	                               : m_robot.changeSpeeds(differential(command.command));
+	const bool taken = m_holonomic ? driveHolonomic(m_robot, command.command) : drive(m_robot, command.command);
 	if (!taken) throw OutputError("the robot does not take velocity commands: changeSpeeds() failed");
 }
 
