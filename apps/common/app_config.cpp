@@ -33,6 +33,7 @@ void describe(FieldVisitor& fields, AppConfig& config)
 	describe(fields, config.simulated_robot);
 	describe(fields, config.explorer);
 	describe(fields, config.output);
+	describe(fields, config.robot_link);
 }
 
 RobotConfig robotDefaults(RobotKind kind)
@@ -67,6 +68,7 @@ LoadedConfig loadConfig(const ConfigChoices& choices)
 	if (!choices.world.empty()) source.simulator.world = choices.world;
 	if (!choices.sensors_pose.empty()) source.sensor_poses = loadSensorPoses(choices.sensors_pose);
 	allowedArea(loaded.config.explorer.mission.bounds);  // throws where it makes no sense, before anything starts
+	check(loaded.config.robot_link);
 	return loaded;
 }
 

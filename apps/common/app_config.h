@@ -6,6 +6,7 @@
 #include <explore/config/simulated_robot.h>
 #include <explore/pipeline/explorer_config.h>
 #include <explore/sinks/output_config.h>
+#include <explore/sinks/robot_link/link_config.h>
 #include <explore/sources/source_config.h>
 
 #include <filesystem>
@@ -19,8 +20,10 @@ struct AppConfig
 	simulation::SimulatedRobotConfig simulated_robot;
 	ExplorerConfig explorer;
 	OutputConfig output;
+	RobotLinkConfig robot_link;
 };
-/** [source] [simulator] [camera] [simulated_camera] [simulated_robot], those of ExplorerConfig, [output] */
+/** [source] [simulator] [camera] [simulated_camera] [simulated_robot], those of ExplorerConfig, [output] [robot_link]
+ */
 void describe(FieldVisitor& fields, AppConfig& config);
 
 /** The size and limits of a usual robot of this kind (see doc/ini-reference.md, [robot]). */

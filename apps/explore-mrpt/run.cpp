@@ -19,6 +19,7 @@ std::string reasonOfEnd(const Run& run)
 /** Takes the frame's result to the two ends. */
 void handOver(Run& run, const DepthFrame& frame, const StepResult& result)
 {
+	run.link.decided(result.decision, frame.timestamp);
 	run.outputs.write(frame, result);
 	run.truth.add(frame, result, run.state.mission.goal_lost);
 	if (run.robot == nullptr) return;
@@ -110,6 +111,8 @@ RunSummary exploreAndSum(Run& run)
 	try
 	{
 		const std::string reason = exploreAll(run);
+		run.link.stop();  // at once: what is written now takes a while
+		run.link.say();
 		run.logger.status().finish();
 		RunSummary summary = summaryOf(run, reason);
 		writeMap(run);
@@ -119,6 +122,8 @@ RunSummary exploreAndSum(Run& run)
 	}
 	catch (const std::exception& error)
 	{
+		run.link.stop();
+		run.link.say();
 		run.logger.status().finish();
 		try
 		{
@@ -157,7 +162,9 @@ void print(const std::string& text)
 int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint* checkpoint)
 {
 	ConsoleLogger logger(options);
-	const RunInput input = openInput(loaded, options, logger);
+	RunLink link(loaded.config.robot_link, logger);
+	RunInput input = openInput(loaded, options, logger);
+	input.source = link.linked(std::move(input.source));
 	RunOutputs outputs(options, loaded.config, checkpoint != nullptr ? std::optional(checkpoint->files) : std::nullopt);
 	RunBeginning beginning = checkpoint != nullptr ? checkpoint->beginning : beginningOf(options, loaded);
 	beginning.max_frames = options.max_frames;
@@ -169,6 +176,7 @@ int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint
 	        *input.source,
 	        input.robot,
 	        outputs,
+	        link,
 	        logger,
 	        beginning,
 	        keeper,
@@ -177,7 +185,11 @@ int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint
 	if (checkpoint != nullptr) goOnFrom(*checkpoint, run);
 	const RunSummary summary = exploreAndSum(run);
 	const bool wants_summary = !options.quiet && !options.toStandardOutput();
-	if (wants_summary) print(summaryText(summary) + "  results in " + options.out + "\n");
+	const std::string text = summaryText(summary) + "  results in " + options.out + "\n";
+	if (wants_summary && usesStandardOutput(loaded.config.robot_link))
+		logger.logStr(mrpt::system::LVL_INFO, text);
+	else if (wants_summary)
+		print(text);
 	return exitCode(summary, logger);
 }
 
@@ -206,6 +218,10 @@ int run(const Options& options)
 	catchSignals();
 	if (!options.resume.empty()) return resume(options);
 	const LoadedConfig loaded = loadConfig(options);
+	if (options.toStandardOutput() && usesStandardOutput(loaded.config.robot_link))
+		throw ConfigError(
+		    "[robot_link] commands = stdout: --out - writes the frames there; name another folder, or "
+		    "send the commands to udp://host:port or unix:///path");
 	if (!options.dump_config) return runFrom(options, loaded, nullptr);
 	print(dumpConfig(loaded.config));
 	return kDone;

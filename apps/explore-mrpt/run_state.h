@@ -6,6 +6,7 @@
 #include <explore-mrpt/console_logger.h>
 #include <explore-mrpt/depth_check.h>
 #include <explore-mrpt/pace.h>
+#include <explore-mrpt/run_link.h>
 #include <explore-mrpt/run_outputs.h>
 #include <explore-mrpt/run_truth.h>
 
@@ -19,6 +20,7 @@ struct Run
 	FrameSource& source;
 	ClosedLoopSource* robot = nullptr;  ///< the same, where it takes commands
 	RunOutputs& outputs;
+	RunLink& link;
 	ConsoleLogger& logger;
 	const RunBeginning& beginning;
 	CheckpointKeeper& keeper;

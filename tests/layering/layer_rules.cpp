@@ -44,8 +44,8 @@ bool isStandard(const std::string& target)
 /** The operating system's headers. */
 bool isPosix(const std::string& target)
 {
-	static constexpr std::array<std::string_view, 8> kHeaders{"errno.h",  "fcntl.h", "poll.h",    "pthread.h",
-	                                                          "signal.h", "time.h",  "termios.h", "unistd.h"};
+	static constexpr std::array<std::string_view, 9> kHeaders{
+	    "errno.h", "fcntl.h", "netdb.h", "poll.h", "pthread.h", "signal.h", "time.h", "termios.h", "unistd.h"};
 	return target.starts_with("sys/") || std::ranges::find(kHeaders, target) != kHeaders.end();
 }
 

@@ -128,6 +128,38 @@ TEST(Step, ObstacleThatSlipsUnderTheMinimumRangeStops)
 	EXPECT_FALSE(step(frameOf(test::corridorScene(9.0, {}, {}), 3, kinect), state, {}).decision.stop) << "it left";
 }
 
+TEST(Step, WhatHaltsTheRobotIsTheReasonUntilItIsOver)
+{
+	ExplorerState state;
+	std::size_t index = 0;
+	for (const auto& [halt, reason] : {std::pair{RobotHalt::bumper, StopReason::bumper},
+	                                   {RobotHalt::cliff, StopReason::cliff},
+	                                   {RobotHalt::link_lost, StopReason::link_lost}})
+	{
+		DepthFrame frame = frameOf(doorAhead(0), index++);
+		frame.halt = halt;
+		const Decision halted = step(frame, state, {}).decision;
+		EXPECT_TRUE(halted.stop);
+		EXPECT_EQ(halted.stop_reason, reason);
+		EXPECT_FALSE(halted.headings.chosen_rad);
+		EXPECT_EQ(halted.command.velocity_mps.norm(), 0.0);
+		EXPECT_EQ(halted.command.yaw_rate_radps, 0.0);
+		EXPECT_FALSE(step(frameOf(doorAhead(0), index++), state, {}).decision.stop) << "released";
+	}
+}
+
+TEST(Step, WhatOtherSensorsSeeIsAvoided)
+{
+	// A row of posts across the corridor, 0.5 m ahead, that the camera does not see.
+	DepthFrame frame = frameOf(test::corridorScene(9.0, {}, {}));
+	ExplorerState free_way, blocked;
+	ASSERT_GT(step(frame, free_way, {}).decision.open_path_m, 2.0);
+	for (float y = -1.0F; y <= 1.0F; y += 0.05F) frame.more_obstacles_in_robot.push_back({0.5F, y, 0.2F});
+	const Decision decision = step(frame, blocked, {}).decision;
+	EXPECT_LT(decision.open_path_m, 0.5);
+	EXPECT_LE(decision.command.velocity_mps.x(), 0.25);
+}
+
 TEST(Step, LastGroundIsCarriedOnAsUnseen)
 {
 	ExplorerState state;

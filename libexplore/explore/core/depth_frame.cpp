@@ -12,6 +12,8 @@ std::string nameOf(PoseOrigin origin)
 			return "odometry";
 		case PoseOrigin::action:
 			return "action";
+		case PoseOrigin::robot_link:
+			return "robot_link";
 		case PoseOrigin::none:
 			break;
 	}

@@ -39,12 +39,27 @@ struct DepthImage
 /** Where map_from_robot of a frame comes from. */
 enum class PoseOrigin
 {
-	none,        ///< the recording has no pose: map_from_robot is the identity
+	none,        ///< there is no pose: map_from_robot is the identity, or the last one that was known
 	robot_pose,  ///< CObservationRobotPose
 	odometry,    ///< CObservationOdometry
 	action,      ///< CActionRobotMovement2D / 3D
+	robot_link,  ///< the robot, over [robot_link] listen
 };
+/** Whether such poses tell height, pitch and roll where these are not 0. */
+[[nodiscard]] constexpr bool isPoseInSpace(PoseOrigin origin)
+{
+	return origin == PoseOrigin::robot_pose || origin == PoseOrigin::robot_link;
+}
 [[nodiscard]] std::string nameOf(PoseOrigin origin);
+
+/** Why the robot must not move, whatever the camera shows. */
+enum class RobotHalt
+{
+	none,
+	bumper,     ///< it touches something
+	cliff,      ///< it stands at an edge
+	link_lost,  ///< its poses or scans have come, and do not come any more
+};
 
 /** One measurement. Camera axes are MRPT's (x forward, y left, z up); see doc/frames.md. */
 struct DepthFrame
@@ -61,6 +76,10 @@ struct DepthFrame
 	PoseOrigin pose_origin = PoseOrigin::none;
 	/** Unit vector against gravity in the robot frame, where an IMU was recorded. */
 	std::optional<Eigen::Vector3d> up_in_robot;
+
+	/** What other sensors of the robot say stands around it; seen at the frame's time. */
+	PointCloud more_obstacles_in_robot;
+	RobotHalt halt = RobotHalt::none;
 };
 
 /** Direction in the camera frame of the ray through pixel (u, v), scaled so that its x (depth) is 1. The only place

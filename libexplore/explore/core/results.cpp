@@ -18,8 +18,9 @@ std::string_view nameOf(GoalKind kind)
 
 std::string_view nameOf(StopReason reason)
 {
-	static constexpr std::array<std::string_view, 7> kNames{
-	    "none", "empty_frame", "stale_frame", "near_obstacle_lost", "path_too_short", "no_direction", "finished"};
+	static constexpr std::array<std::string_view, 10> kNames{
+	    "none",     "empty_frame", "stale_frame", "near_obstacle_lost", "path_too_short", "no_direction",
+	    "finished", "bumper",      "cliff",       "link_lost"};
 	return kNames[static_cast<std::size_t>(reason)];
 }
 }  // namespace explore

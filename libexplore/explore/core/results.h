@@ -143,6 +143,9 @@ enum class StopReason
 	path_too_short,      ///< open path below the stopping distance
 	no_direction,        ///< the avoider found no way
 	finished,            ///< the exploration is over
+	bumper,              ///< the robot touches something
+	cliff,               ///< the robot stands at an edge
+	link_lost,           ///< the robot's own poses or scans do not come any more
 };
 [[nodiscard]] std::string_view nameOf(StopReason reason);
 

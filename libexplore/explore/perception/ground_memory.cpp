@@ -13,7 +13,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 bool tellsAttitude(PoseOrigin origin, const mrpt::poses::CPose3D& map_from_robot)
 {
 	if (origin == PoseOrigin::none) return false;
-	return origin == PoseOrigin::robot_pose || map_from_robot.roll() != 0.0 || map_from_robot.pitch() != 0.0;
+	return isPoseInSpace(origin) || map_from_robot.roll() != 0.0 || map_from_robot.pitch() != 0.0;
 }
 
 struct Motion

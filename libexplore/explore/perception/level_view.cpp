@@ -27,7 +27,7 @@ Mount mountOf(const DepthFrame& frame)
  *  theirs at 0. No value outside the flight band, where it cannot be that. */
 std::optional<double> heightInMap_m(const DepthFrame& frame, const Mount& mount, const CameraHeight& band)
 {
-	if (frame.pose_origin != PoseOrigin::robot_pose) return std::nullopt;
+	if (!isPoseInSpace(frame.pose_origin)) return std::nullopt;
 	const double height_m = (isometryOf(frame.map_from_robot) * mount.robot_from_camera.translation()).z();
 	if (height_m < band.min_m || height_m > band.max_m) return std::nullopt;
 	return height_m;

@@ -216,7 +216,7 @@ UpPrior recordedUp(const DepthFrame& frame, const RobotConfig& robot, const std:
 
 	const Eigen::Vector3d up_of_pose = isometryOf(frame.map_from_robot).linear().transpose() * Eigen::Vector3d::UnitZ();
 	const bool has_attitude = frame.map_from_robot.roll() != 0.0 || frame.map_from_robot.pitch() != 0.0;
-	if (frame.pose_origin == PoseOrigin::robot_pose && has_attitude && up_of_pose.z() > kLyingDown)
+	if (isPoseInSpace(frame.pose_origin) && has_attitude && up_of_pose.z() > kLyingDown)
 		return {up_of_pose, config.pose_sigma_rad, UpOrigin::pose};
 
 	// an identity mount says nothing about how the camera looks

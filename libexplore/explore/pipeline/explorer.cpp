@@ -40,11 +40,12 @@ void append(PointCloud& all, const PointCloud& more)
 	for (std::size_t i = 0; i < more.size(); ++i) all.push_back(more[i]);
 }
 
-/** What stands around the robot: as this frame shows it, and as the memory has it. */
+/** What stands around the robot: as this frame shows it, as its other sensors do, and as the memory has it. */
 PointCloud obstaclesAround(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
                            const ExplorerConfig& config)
 {
 	PointCloud all = percepts.obstacles_in_robot;
+	append(all, frame.more_obstacles_in_robot);
 	if (memory == nullptr) return all;
 	const Eigen::Isometry3d map_from_robot = isometryOf(frame.map_from_robot);
 	append(all, mapObstacles(memory->layers, map_from_robot, config.robot, kAround_m, isUnknownMapped(memory, config)));
@@ -71,9 +72,26 @@ AvoiderInput avoiderInput(const DepthFrame& frame, const SightLines* sight, cons
 	return input;
 }
 
+StopReason reasonOf(RobotHalt halt)
+{
+	switch (halt)
+	{
+		case RobotHalt::bumper:
+			return StopReason::bumper;
+		case RobotHalt::cliff:
+			return StopReason::cliff;
+		case RobotHalt::link_lost:
+			return StopReason::link_lost;
+		case RobotHalt::none:
+			break;
+	}
+	return StopReason::none;
+}
+
 StopReason reasonToStop(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
                         const ExplorerState& state, const ExplorerConfig& config)
 {
+	if (frame.halt != RobotHalt::none) return reasonOf(frame.halt);
 	if (percepts.near_field.valid_pixels < static_cast<std::size_t>(config.heading.min_valid_pixels))
 		return StopReason::empty_frame;
 	if (state.last_timestamp && frame.timestamp <= *state.last_timestamp) return StopReason::stale_frame;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace explore
 {
@@ -56,6 +57,15 @@ std::optional<mrpt::poses::CPose3D> PoseTrack::at(LogTime time) const
 	const auto before = std::prev(after);
 	return interpolate(before->pose, after->pose,
 	                   secondsBetween(before->time, time) / secondsBetween(before->time, after->time));
+}
+
+std::optional<double> PoseTrack::awayFrom(LogTime time) const
+{
+	if (m_samples.empty()) return std::nullopt;
+	const auto after = firstNotBefore(time);
+	const double infinity = std::numeric_limits<double>::infinity();
+	const double before_s = after == m_samples.begin() ? infinity : secondsBetween(std::prev(after)->time, time);
+	return std::min(before_s, after == m_samples.end() ? infinity : secondsBetween(time, after->time));
 }
 
 void PoseTrack::forgetBefore(LogTime time)

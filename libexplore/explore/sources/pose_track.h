@@ -26,6 +26,8 @@ public:
 	[[nodiscard]] bool reaches(LogTime time) const { return !empty() && m_samples.back().time >= time; }
 	/** Interpolated inside the known times, the nearest pose outside; no value while empty. */
 	[[nodiscard]] std::optional<mrpt::poses::CPose3D> at(LogTime time) const;
+	/** Seconds from `time` to the nearest known time; no value while empty. */
+	[[nodiscard]] std::optional<double> awayFrom(LogTime time) const;
 	/** Drops what at() no longer needs for times from `time` on. */
 	void forgetBefore(LogTime time);
 
