@@ -57,6 +57,7 @@ DepthFrame FrameMaker::makeEmpty(mrpt::Clock::time_point time)
 {
 	DepthFrame frame;
 	frame.index = m_report.frames++;
+	++m_report.away_frames;
 	frame.timestamp = time;
 	frame.sensor_label = m_header.sensor_label;
 	frame.robot_from_camera = m_header.robot_from_camera;

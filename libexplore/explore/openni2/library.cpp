@@ -56,7 +56,8 @@ std::string whatToCheck()
 	       "  - another program that has the camera open, or the kernel's gspca_kinect or snd_usb_audio module that "
 	       "took\n"
 	       "    it: rmmod gspca_kinect snd_usb_audio\n"
-	       "  - frames that do not come although it opens: UsbInterface = 0 or 2 in /etc/openni2/PS1080.ini\n"
+	       "  - frames that do not come although it opens: UsbInterface=2 (bulk transfers) below [Device] in\n"
+	       "    /etc/openni2/PS1080.ini\n"
 	       "  - explore-rawlog record --openni2 list shows what OpenNI2 finds";
 }
 

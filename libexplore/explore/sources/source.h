@@ -20,6 +20,7 @@ struct SourceReport
 	std::size_t frames = 0;          ///< delivered
 	std::size_t skipped_frames = 0;  ///< observations that could not be used (missing external image, no range data)
 	std::size_t dropped_frames = 0;  ///< of a live camera: came while the one before was at work
+	std::size_t away_frames = 0;     ///< delivered without image or points, a live camera being away
 	std::uint64_t lost_bytes = 0;    ///< input after the damage that could not be read
 	std::size_t lost_objects = 0;    ///< objects that are known to be damaged or missing (at least 1 when damaged)
 	std::string damage;              ///< empty = intact; else what and where (byte offset)
