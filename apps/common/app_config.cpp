@@ -64,6 +64,8 @@ LoadedConfig loadConfig(const ConfigChoices& choices)
 	SourceConfig& source = loaded.config.source;
 	if (!choices.rawlog.empty()) source.kind = SourceKind::rawlog;
 	if (!choices.rawlog.empty()) source.rawlog = choices.rawlog;
+	if (!choices.oni.empty()) source.kind = SourceKind::openni2;
+	if (!choices.oni.empty()) source.oni = choices.oni;
 	if (!choices.world.empty()) source.kind = SourceKind::simulator;
 	if (!choices.world.empty()) source.simulator.world = choices.world;
 	if (!choices.sensors_pose.empty()) source.sensor_poses = loadSensorPoses(choices.sensors_pose);

@@ -35,7 +35,7 @@ struct LoadedConfig
 	std::filesystem::path ini;  ///< the file that was read; empty = none
 };
 
-/** Defaults, then the ini, then --robot, then --set, --seed, --rawlog and --world; what comes later wins.
+/** Defaults, then the ini, then --robot, then --set, --seed, --rawlog, --oni and --world; what comes later wins.
  *  - Keys of [robot] that the ini leaves out are those of robotDefaults(kind), whichever kind it names.
  *  - `--robot` naming the other kind replaces the ini's whole [robot] by robotDefaults.
  *  Throws ConfigError. */

@@ -16,9 +16,9 @@ namespace explore::app
 {
 struct ConfigChoices
 {
-	std::string ini;               ///< empty = built-in defaults
-	std::string rawlog, world;     ///< empty = as the ini says
-	std::vector<std::string> set;  ///< "section.key=value"
+	std::string ini;                 ///< empty = built-in defaults
+	std::string rawlog, oni, world;  ///< empty = as the ini says
+	std::vector<std::string> set;    ///< "section.key=value"
 	std::optional<RobotKind> robot;
 	std::string sensors_pose;
 	std::optional<int> seed;

@@ -44,6 +44,11 @@ fs::path findRawlogOfIni(const std::string& name, const fs::path& ini)
 	return firstOf(placesOf(name, ini, dataFolders("rawlogs")), name + ": no such recording ([source] rawlog); tried:");
 }
 
+fs::path findOniOfIni(const std::string& name, const fs::path& ini)
+{
+	return firstOf(placesOf(name, ini, dataFolders("rawlogs")), name + ": no such recording ([source] oni); tried:");
+}
+
 fs::path findWorldOfIni(const std::string& name, const fs::path& ini)
 {
 	std::vector<fs::path> folders = dataFolders("rawlogs/worlds");

@@ -14,6 +14,9 @@ std::vector<std::filesystem::path> iniFolders();
  *  source tree's rawlogs/ folder. Throws InputError that lists every place tried. */
 std::filesystem::path findRawlogOfIni(const std::string& name, const std::filesystem::path& ini);
 
+/** The same for a recording of OpenNI2. */
+std::filesystem::path findOniOfIni(const std::string& name, const std::filesystem::path& ini);
+
 /** The same for a world, which is also looked for in the rawlogs/worlds/ folders. */
 std::filesystem::path findWorldOfIni(const std::string& name, const std::filesystem::path& ini);
 }  // namespace explore::app

@@ -1,3 +1,4 @@
+#include <common/interrupt.h>
 #include <common/mounted_source.h>
 #include <explore/perception/mount.h>
 
@@ -55,7 +56,7 @@ std::optional<DepthFrame> MountedSource::next()
 void MountedSource::lookAtFirstFrames()
 {
 	std::vector<DepthFrame> frames;
-	while (frames.size() < kFramesToLookAt)
+	while (frames.size() < kFramesToLookAt && signalReceived() == 0)
 	{
 		auto frame = m_source->next();
 		if (!frame) break;

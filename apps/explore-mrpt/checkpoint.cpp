@@ -21,7 +21,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
 /** The first line of the file: states of other versions have other fields. */
 std::string headLine()
 {
-	return "explore-mrpt state 1 of version " + version() + "\n";
+	return "explore-mrpt state 2 of version " + version() + "\n";
 }
 
 /** What stands between the first line and the packed bytes. */
@@ -83,7 +83,10 @@ std::string readWhole(const fs::path& file)
 {
 	std::ifstream stream(file, std::ios::binary);
 	if (!stream)
-		failReading(file, "there is no state of a run to go on from: --resume takes the folder of a run that kept one");
+		failReading(
+		    file,
+		    "there is no state of a run to go on from: --resume takes the folder of a run that kept one, which a "
+		    "run with a camera does not: its frames are gone");
 	std::ostringstream content;
 	content << stream.rdbuf();
 	return std::move(content).str();
@@ -107,6 +110,7 @@ RunBeginning beginningOf(const Options& options, const LoadedConfig& loaded)
 	RunBeginning beginning;
 	beginning.ini = options.ini;
 	beginning.rawlog = options.rawlog;
+	beginning.oni = options.oni;
 	beginning.world = options.world;
 	beginning.max_frames = options.max_frames;
 	beginning.realtime = options.realtime;
@@ -115,6 +119,7 @@ RunBeginning beginningOf(const Options& options, const LoadedConfig& loaded)
 	// What was given is kept as it was given: an ini cannot hold every name.
 	AppConfig config = loaded.config;
 	if (!options.rawlog.empty()) config.source.rawlog.clear();
+	if (!options.oni.empty()) config.source.oni.clear();
 	if (!options.world.empty()) config.source.simulator.world.clear();
 	beginning.config = dumpConfig(config);
 	beginning.sensor_poses = loaded.config.source.sensor_poses;
@@ -129,6 +134,7 @@ LoadedConfig loadedConfig(const RunBeginning& beginning)
 	            [&](FieldVisitor& visitor) { describe(visitor, loaded.config); });
 	SourceConfig& source = loaded.config.source;
 	if (!beginning.rawlog.empty()) source.rawlog = beginning.rawlog;
+	if (!beginning.oni.empty()) source.oni = beginning.oni;
 	if (!beginning.world.empty()) source.simulator.world = beginning.world;
 	source.sensor_poses = beginning.sensor_poses;
 	return loaded;
@@ -139,6 +145,7 @@ Options continuedOptions(const Options& given, const RunBeginning& beginning)
 	Options options = given;
 	options.ini = beginning.ini;
 	options.rawlog = beginning.rawlog;
+	options.oni = beginning.oni;
 	options.world = beginning.world;
 	if (!options.max_frames) options.max_frames = beginning.max_frames;
 	options.realtime = options.realtime || beginning.realtime;

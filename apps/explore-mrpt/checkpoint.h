@@ -16,7 +16,7 @@ namespace explore::app
 /** How a run was begun: what it is to be continued with. */
 struct RunBeginning
 {
-	std::string ini, rawlog, world;  ///< as given
+	std::string ini, rawlog, oni, world;  ///< as given
 	std::optional<std::uint64_t> max_frames;
 	bool realtime = false;
 	std::string working_folder;  ///< that relative names are below

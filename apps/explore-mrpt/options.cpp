@@ -21,9 +21,14 @@ void addInputOptions(CLI::App& app, Options& options)
 	addIniOption(app, options);
 	auto* rawlog =
 	    app.add_option("--rawlog", options.rawlog, "Recording to explore, instead of the ini's")->type_name("FILE");
+	auto* oni =
+	    app.add_option("--oni", options.oni, "Recording that OpenNI2 made, to explore instead of the ini's input")
+	        ->type_name("FILE")
+	        ->excludes(rawlog);
 	app.add_option("--world", options.world, "Gazebo world to explore with a simulated robot, instead of the ini's")
 	    ->type_name("FILE")
-	    ->excludes(rawlog);
+	    ->excludes(rawlog)
+	    ->excludes(oni);
 	addOverrideOptions(app, options, "ground or mav; where the ini says the other, with that one's default size");
 	app.add_option("--max-frames", options.max_frames, "Stops after N frames")
 	    ->type_name("N")
@@ -62,7 +67,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv)
 	ParsedOptions parsed;
 	CLI::App app(
 	    "Turns depth frames into headings: doors, vanishing points, obstacles avoided. The frames are those of a "
-	    "recording, or of a simulated robot that goes where the headings lead.",
+	    "recording, of an OpenNI2 camera, or of a simulated robot that goes where the headings lead.",
 	    "explore-mrpt");
 	app.set_version_flag("--version", "explore-mrpt " + version());
 	addInputOptions(app, parsed.options);

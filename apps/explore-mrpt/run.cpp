@@ -1,5 +1,5 @@
 #include <common/exit_codes.h>
-#include <explore-mrpt/interrupt.h>
+#include <common/interrupt.h>
 #include <explore-mrpt/run.h>
 #include <explore-mrpt/run_input.h>
 #include <explore-mrpt/run_state.h>
@@ -78,8 +78,9 @@ std::string exploreAll(Run& run)
 
 InputSummary inputSummary(const SourceReport& report)
 {
-	return {report.kind,   report.path,         report.skipped_frames, report.lost_bytes,  report.lost_objects,
-	        report.damage, report.sensor_label, report.sensors_found,  report.pose_origin, report.identity_mount};
+	return {report.kind,         report.path,          report.skipped_frames, report.dropped_frames,
+	        report.away_frames,  report.lost_bytes,    report.lost_objects,   report.damage,
+	        report.sensor_label, report.sensors_found, report.pose_origin,    report.identity_mount};
 }
 
 RunSummary summaryOf(Run& run, const std::string& reason)
@@ -170,7 +171,7 @@ int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint
 	beginning.max_frames = options.max_frames;
 	beginning.realtime = options.realtime;
 	CheckpointKeeper keeper(outputs.paths() ? std::optional(outputs.paths()->state) : std::nullopt,
-	                        loaded.config.output.checkpoint_period_s);
+	                        input.live ? 0.0 : loaded.config.output.checkpoint_period_s);
 	Run run{options,
 	        loaded.config,
 	        *input.source,

@@ -1,3 +1,4 @@
+#include <common/camera_source.h>
 #include <common/input_paths.h>
 #include <common/mounted_source.h>
 #include <explore-mrpt/run_input.h>
@@ -7,20 +8,36 @@ namespace explore::app
 {
 namespace
 {
+std::unique_ptr<FrameSource> mounted(std::unique_ptr<FrameSource> source, const LoadedConfig& loaded,
+                                     ConsoleLogger& logger)
+{
+	return std::make_unique<MountedSource>(std::move(source), loaded.config.source.camera.mount,
+	                                       loaded.config.explorer.perception, logger);
+}
+
 std::unique_ptr<FrameSource> openRecording(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
 {
 	SourceConfig source = loaded.config.source;
 	if (source.rawlog.empty())
-		throw ConfigError("no input: name a recording with --rawlog, or in the ini with [source] rawlog");
+		throw ConfigError("no input: name a recording with --rawlog or --oni, or in the ini with [source] rawlog");
 	if (options.rawlog.empty()) source.rawlog = findRawlogOfIni(source.rawlog, loaded.ini).string();
-	return std::make_unique<MountedSource>(makeSource(source, logger), source.camera.mount,
-	                                       loaded.config.explorer.perception, logger);
+	return mounted(makeSource(source, logger), loaded, logger);
+}
+
+/** A camera, or an .oni recording of one. */
+RunInput openOpenni2(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
+{
+	SourceConfig source = loaded.config.source;
+	const bool live = source.oni.empty();
+	if (!live && options.oni.empty()) source.oni = findOniOfIni(source.oni, loaded.ini).string();
+	return {mounted(openCamera(source, logger), loaded, logger), nullptr, live};
 }
 }  // namespace
 
 RunInput openInput(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
 {
 	if (loaded.config.source.kind == SourceKind::rawlog) return {openRecording(loaded, options, logger)};
+	if (loaded.config.source.kind == SourceKind::openni2) return openOpenni2(loaded, options, logger);
 	auto simulator = openSimulator(loaded, logger);
 	ClosedLoopSource* const robot = simulator.get();
 	return {std::move(simulator), robot};

@@ -1,4 +1,4 @@
-// Where the frames of a run come from: a recording, or a simulated robot.
+// Where the frames of a run come from: a recording, a camera, or a simulated robot.
 #pragma once
 
 #include <common/closed_loop_source.h>
@@ -14,9 +14,10 @@ struct RunInput
 {
 	std::unique_ptr<FrameSource> source;
 	ClosedLoopSource* robot = nullptr;
+	bool live = false;  ///< a camera: what it delivered does not come again
 };
 
-/** `logger` outlives it. Throws ConfigError or InputError. */
+/** `logger` outlives it. Throws ConfigError, InputError or SensorLost. */
 RunInput openInput(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger);
 
 /** Reads a recording's first `frames` once more, for a run that goes on after them. Throws InputError where it ends

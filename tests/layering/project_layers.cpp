@@ -23,6 +23,7 @@ std::vector<Layer> projectLayers()
 	     {"mrpt", "Eigen", "octomap"},
 	     true},
 	    {"sources", root + "sources/", {"core", "config"}, {"mrpt", "Eigen", "octomap", "zlib.h"}, false},
+	    {"openni2", root + "openni2/", {"core", "config", "sources"}, {"mrpt", "Eigen", "OpenNI.h"}, false},
 	    {"sinks",
 	     root + "sinks/",
 	     {"core", "config", "memory", "navigation", "pipeline"},
@@ -40,8 +41,8 @@ std::vector<Layer> projectLayers()
 	     false},
 	    {"apps",
 	     "apps/",
-	     {"core", "truth", "config", "perception", "memory", "navigation", "pipeline", "sources", "sinks", "evaluation",
-	      "simulation"},
+	     {"core", "truth", "config", "perception", "memory", "navigation", "pipeline", "sources", "openni2", "sinks",
+	      "evaluation", "simulation"},
 	     {"mrpt", "Eigen", "nlohmann", "CLI", "zlib.h"},
 	     false},
 	};

@@ -18,6 +18,8 @@ Json sourceJson(const InputSummary& input, std::size_t frames)
 	        {"lost_bytes", input.lost_bytes},
 	        {"lost_objects", input.lost_objects},
 	        {"skipped_frames", input.skipped_frames},
+	        {"dropped_frames", input.dropped_frames},
+	        {"away_frames", input.away_frames},
 	        {"damage", jsonOrNull(input.damage)},
 	        {"sensor", jsonOrNull(input.sensor)},
 	        {"sensors_found", input.sensors_found},
@@ -130,6 +132,10 @@ std::string lossText(const InputSummary& input)
 {
 	std::string text;
 	if (input.skipped_frames > 0) text += mrpt::format("  unusable frames: %zu\n", input.skipped_frames);
+	if (input.dropped_frames > 0)
+		text += mrpt::format("  frames passed over for later ones: %zu\n", input.dropped_frames);
+	if (input.away_frames > 0)
+		text += mrpt::format("  frames without an image, the camera away: %zu\n", input.away_frames);
 	if (!input.damage.empty())
 		text += mrpt::format("  DAMAGED: %s (lost: %llu bytes, %zu objects)\n", input.damage.c_str(),
 		                     static_cast<unsigned long long>(input.lost_bytes), input.lost_objects);

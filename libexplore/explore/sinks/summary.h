@@ -53,6 +53,8 @@ struct InputSummary
 {
 	std::string kind, path;
 	std::size_t skipped_frames = 0;
+	std::size_t dropped_frames = 0;  ///< of a live camera, which was quicker than the explorer
+	std::size_t away_frames = 0;     ///< that stand for a live camera that was away
 	std::uint64_t lost_bytes = 0;
 	std::size_t lost_objects = 0;
 	std::string damage;  ///< empty = intact

@@ -7,10 +7,33 @@ namespace explore
 {
 namespace
 {
-constexpr std::array<std::string_view, 2> kKinds = {"rawlog", "simulator"};
+constexpr std::array<std::string_view, 3> kKinds = {"rawlog", "simulator", "openni2"};
 constexpr std::array<std::string_view, 5> kPoses = {"automatic", "robot_pose", "odometry", "action", "none"};
 constexpr std::array<std::string_view, 2> kSimulatedPoses = {"exact", "odometry"};
 constexpr std::array<std::string_view, 3> kMounts = {"log", "ini", "estimate"};
+
+void describeOpenni2(FieldVisitor& fields, Openni2Config& openni2)
+{
+	constexpr Bounds kFocal_px{0, 1e6};
+	fields.section("openni2", "The camera, where [source] kind = openni2: see doc/live.md.");
+	fields.text(
+	    "device", openni2.device,
+	    "Its number in the list that explore-rawlog record --openni2 list prints, its serial number, or its URI; "
+	    "empty = the first one.");
+	fields.integer("width_px", openni2.width_px, {16, 4096}, "px",
+	               "Of the depth images; a recording has its own size.");
+	fields.integer("height_px", openni2.height_px, {16, 4096}, "px", "See width_px.");
+	fields.integer("rate_hz", openni2.rate_hz, {1, 1000}, "Hz", "Depth images a second; a recording has its own.");
+	fields.flag("registration", openni2.registration,
+	            "Depth as seen from the colour camera, where the camera can do that; fx to cy are then that one's.");
+	fields.real("fx", openni2.fx_px, kFocal_px, "px",
+	            "Calibrated focal length; 0 = from the field of view that the camera tells.");
+	fields.real("fy", openni2.fy_px, kFocal_px, "px", "See fx.");
+	fields.real("cx", openni2.cx_px, {0, 4096}, "px", "Calibrated principal point; 0 = the middle of the image.");
+	fields.real("cy", openni2.cy_px, {0, 4096}, "px", "See cx.");
+	fields.real("lost_after_s", openni2.lost_after_s, {1, 3600}, "s",
+	            "A camera that delivered frames and was away that long is lost: the run ends with exit code 4.");
+}
 
 void describeSimulator(FieldVisitor& fields, SimulatorConfig& simulator)
 {
@@ -56,13 +79,17 @@ void describe(FieldVisitor& fields, SourceConfig& config)
 	fields.section("source", "Where the frames come from.");
 	fields.choice("kind", config.kind, kKinds, "What is read.");
 	fields.text("rawlog", config.rawlog, "Path of the rawlog, plain or gzipped.");
+	fields.text("oni", config.oni, "Path of a recording that OpenNI2 made, with kind = openni2; empty = a camera.");
 	fields.text("images_folder", config.images_folder,
 	            "Folder of externally stored images; empty = found beside the rawlog.");
-	fields.text("sensorLabel", config.sensor_label, "The depth sensor to use; empty = the first one in the log.");
+	fields.text("sensorLabel", config.sensor_label,
+	            "The depth sensor to use; empty = the first one in the log. OpenNI2's frames get this label, "
+	            "OPENNI2 where it is empty.");
 	fields.choice("pose", config.pose, kPoses,
 	              "Which recorded poses place the robot: automatic takes the best kind that is found around the first "
 	              "frame, in the order robot_pose, odometry, action.");
 	fields.flag("gravity_from_imu", config.gravity_from_imu, "Use a recorded accelerometer to tell which way is up.");
+	describeOpenni2(fields, config.openni2);
 	describeSimulator(fields, config.simulator);
 	describeCamera(fields, config.camera);
 }

@@ -1,4 +1,5 @@
-// [source], [simulator] and [camera]: where frames come from and what is corrected before anything looks at them.
+// [source], [openni2], [simulator] and [camera]: where frames come from and what is corrected before anything looks at
+// them.
 #pragma once
 
 #include <explore/config/fields.h>
@@ -11,7 +12,8 @@ namespace explore
 enum class SourceKind
 {
 	rawlog,
-	simulator  ///< a robot in a simulated world, driven by what the explorer decides
+	simulator,  ///< a robot in a simulated world, driven by what the explorer decides
+	openni2     ///< a camera, or an .oni recording of one
 };
 
 /** Which recorded poses become map_from_robot. */
@@ -60,19 +62,31 @@ struct SimulatorConfig
 	int seed = 1;
 };
 
+/** How a camera is opened; a recording has its own size and rate. */
+struct Openni2Config
+{
+	std::string device;  ///< index in the list of devices, serial number or URI; empty = the first
+	int width_px = 640, height_px = 480, rate_hz = 30;
+	bool registration = false;                          ///< depth as the colour camera would see it
+	double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;  ///< 0 = from the field of view that the camera tells
+	double lost_after_s = 10;
+};
+
 struct SourceConfig
 {
 	SourceKind kind = SourceKind::rawlog;
 	std::string rawlog;         ///< path
+	std::string oni;            ///< path of an OpenNI2 recording; empty = a camera
 	std::string images_folder;  ///< of externally stored images; empty = found beside the rawlog
 	std::string sensor_label;   ///< empty = the first depth sensor in the log
 	PosePolicy pose = PosePolicy::automatic;
 	bool gravity_from_imu = true;
+	Openni2Config openni2;
 	SimulatorConfig simulator;
 	CameraConfig camera;
 	SensorPoses sensor_poses;  ///< from --sensors-pose, not from the ini
 };
 
-/** [source] [simulator] [camera] */
+/** [source] [openni2] [simulator] [camera] */
 void describe(FieldVisitor& fields, SourceConfig& config);
 }  // namespace explore

@@ -1,4 +1,4 @@
-#include <explore-mrpt/interrupt.h>
+#include <common/interrupt.h>
 
 #include <atomic>
 #include <csignal>

@@ -1,0 +1,284 @@
+#include "openni2/virtual_camera.h"
+
+#include <explore/core/errors.h>
+#include <explore/openni2/openni2_source.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+using namespace explore;
+using namespace explore::openni2;
+using namespace explore::test;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+namespace
+{
+/** Keeps what it is told. */
+struct Log : mrpt::system::COutputLogger
+{
+	Log()
+	{
+		logging_enable_console_output = false;
+		logRegisterCallback([this](std::string_view text, const mrpt::system::VerbosityLevel, std::string_view,
+		                           const mrpt::Clock::time_point) { all.append(text).append("\n"); });
+	}
+	std::string all;
+};
+
+/** The next frame that has an image; none after `patience`. */
+std::optional<DepthFrame> nextImage(FrameSource& source, std::chrono::seconds patience = 20s)
+{
+	const auto due = std::chrono::steady_clock::now() + patience;
+	while (std::chrono::steady_clock::now() < due)
+		if (auto frame = source.next(); frame && !frame->image.empty()) return frame;
+	return std::nullopt;
+}
+
+/** Whether frames without an image come soon. */
+bool becomesEmpty(FrameSource& source)
+{
+	const auto due = std::chrono::steady_clock::now() + 20s;
+	while (std::chrono::steady_clock::now() < due)
+		if (const auto frame = source.next(); frame && frame->image.empty()) return true;
+	return false;
+}
+
+std::string lossOf(FrameSource& source)
+{
+	const auto due = std::chrono::steady_clock::now() + 30s;
+	try
+	{
+		while (std::chrono::steady_clock::now() < due) source.next();
+	}
+	catch (const SensorLost& lost)
+	{
+		return lost.what();
+	}
+	return "";
+}
+
+std::string startError(const SourceConfig& config)
+{
+	Log log;
+	try
+	{
+		Openni2Source source(config, log);
+	}
+	catch (const std::exception& error)
+	{
+		return error.what();
+	}
+	return "";
+}
+}  // namespace
+
+TEST(Live, DeliversWhatTheCameraSees)
+{
+	const VirtualCamera camera;
+	Log log;
+	Openni2Source source(camera.config(), log);
+	std::optional<mrpt::Clock::time_point> last;
+	const auto before = mrpt::Clock::now();
+	for (std::size_t i = 0; i < 60; ++i)
+	{
+		const auto frame = nextImage(source);
+		ASSERT_TRUE(frame);
+		EXPECT_GE(camera.imageOf(frame->image), 0);
+		EXPECT_EQ(frame->sensor_label, "OPENNI2");
+		EXPECT_GT(frame->timestamp, last.value_or(before - 1s));
+		last = frame->timestamp;
+		const CameraIntrinsics& found = frame->image.intrinsics;
+		EXPECT_NEAR(found.fx_px, camera.served().fx_px, 1e-3);
+		EXPECT_NEAR(found.fy_px, camera.served().fy_px, 1e-3);
+		EXPECT_EQ(found.cx_px, 79.5);
+		EXPECT_EQ(found.cy_px, 59.5);
+	}
+	EXPECT_GE(*last, before);
+	EXPECT_LE(*last, mrpt::Clock::now());
+	EXPECT_EQ(log.all, "");
+}
+
+TEST(Live, TakesTheLatestFrameAndCountsTheOthers)
+{
+	VirtualCamera camera;
+	camera.set("rate_hz", "100");
+	SourceConfig config = camera.config();
+	Log log;
+	Openni2Source source(config, log);
+	ASSERT_TRUE(nextImage(source));
+	std::this_thread::sleep_for(600ms);
+	const auto asked = mrpt::Clock::now();
+	const auto frame = nextImage(source);
+	ASSERT_TRUE(frame);
+	EXPECT_GT(frame->timestamp, asked - 300ms);
+	EXPECT_GE(source.report().dropped_frames, 5U);
+}
+
+TEST(Live, CountsTenthsOfMillimetres)
+{
+	VirtualCamera camera(160, 120, 5, 0.0001);
+	camera.set("unit", "100um");
+	Log log;
+	Openni2Source source(camera.config(), log);
+	const auto frame = nextImage(source);
+	ASSERT_TRUE(frame);
+	EXPECT_GE(camera.imageOf(frame->image), 0);
+}
+
+TEST(Live, TakesIntrinsicsLabelAndCorrectionFromTheIni)
+{
+	const VirtualCamera camera(64, 48, 1);
+	SourceConfig config = camera.config();
+	config.openni2.fx_px = 70, config.openni2.fy_px = 71, config.openni2.cx_px = 33, config.openni2.cy_px = 22;
+	config.sensor_label = "HEAD";
+	config.camera.depth_scale = 2.0;
+	config.camera.z_m = 0.7;
+	Log log;
+	Openni2Source source(config, log);
+	const auto frame = nextImage(source);
+	ASSERT_TRUE(frame);
+	EXPECT_EQ(frame->image.intrinsics, (CameraIntrinsics{64, 48, 70, 71, 33, 22}));
+	EXPECT_EQ(frame->sensor_label, "HEAD");
+	EXPECT_EQ(frame->robot_from_camera.z(), 0.7);
+	const std::size_t middle = 24 * 64 + 32;
+	EXPECT_NEAR(frame->image.depth_m[middle], 2e-3 * camera.served().images[0][middle], 1e-5);
+}
+
+TEST(Live, FindsTheCameraByNumberSerialAndUri)
+{
+	const VirtualCamera camera;
+	for (const char* name : {"", "0", "V0042", "virtual/camera@1/1", "virtual/camera@1/9"})
+	{
+		SourceConfig config = camera.config();
+		config.openni2.device = name;
+		EXPECT_EQ(startError(config), "") << name;
+	}
+	SourceConfig config = camera.config();
+	config.openni2.device = "V0043";
+	EXPECT_THAT(startError(config), HasSubstr("virtual/camera@1/1"));
+}
+
+TEST(Live, SaysAtOnceThatThereIsNoCamera)
+{
+	VirtualCamera camera;
+	camera.set("plugged", "0");
+	const auto start = std::chrono::steady_clock::now();
+	const std::string error = startError(camera.config());
+	EXPECT_LT(std::chrono::steady_clock::now() - start, 2s);
+	for (const char* hint : {"no depth camera", "udev", "snd_usb_audio", "UsbInterface", "cable"})
+		EXPECT_THAT(error, HasSubstr(hint));
+}
+
+TEST(Live, SaysWhyTheCameraDoesNotOpen)
+{
+	VirtualCamera camera;
+	camera.set("denied", "1");
+	EXPECT_THAT(startError(camera.config()), HasSubstr("access denied"));
+	camera.set("denied", "0");
+	camera.set("starts", "0");
+	EXPECT_THAT(startError(camera.config()), HasSubstr("does not start"));
+}
+
+TEST(Live, SaysWhichSizesTheCameraHas)
+{
+	const VirtualCamera camera;
+	SourceConfig config = camera.config();
+	config.openni2.width_px = 320;
+	Log log;
+	EXPECT_THROW(Openni2Source(config, log), ConfigError);
+	EXPECT_THAT(startError(config), HasSubstr("160x120 at 30 Hz"));
+	config = camera.config();
+	config.openni2.registration = true;
+	EXPECT_THROW(Openni2Source(config, log), ConfigError);
+}
+
+TEST(Live, ComesBackAfterItWasUnplugged)
+{
+	VirtualCamera camera;
+	Log log;
+	Openni2Source source(camera.config(), log);
+	const auto before = nextImage(source);
+	ASSERT_TRUE(before);
+	camera.set("plugged", "0");
+	ASSERT_TRUE(becomesEmpty(source));
+	EXPECT_THAT(log.all, HasSubstr("was unplugged"));
+	const auto asked = std::chrono::steady_clock::now();
+	const auto empty = source.next();
+	EXPECT_LT(std::chrono::steady_clock::now() - asked, 1s);
+	ASSERT_TRUE(empty);
+	EXPECT_TRUE(empty->image.empty());
+	EXPECT_GT(empty->timestamp, before->timestamp);
+
+	camera.set("plugged", "1");
+	const auto plugged = std::chrono::steady_clock::now();
+	const auto after = nextImage(source);
+	ASSERT_TRUE(after);
+	EXPECT_LT(std::chrono::steady_clock::now() - plugged, 2s);
+	EXPECT_GT(after->timestamp, empty->timestamp);
+	source.next();
+	EXPECT_THAT(log.all, HasSubstr("delivers frames again"));
+}
+
+TEST(Live, OpensACameraAnewThatIsSilent)
+{
+	VirtualCamera camera;
+	Log log;
+	Openni2Source source(camera.config(), log);
+	ASSERT_TRUE(nextImage(source));
+	camera.set("stalled", "1");
+	const auto due = std::chrono::steady_clock::now() + 3s;
+	while (log.all.empty() && std::chrono::steady_clock::now() < due) source.next();
+	EXPECT_THAT(log.all, HasSubstr("no frame for 1 s"));
+	camera.set("stalled", "0");
+	EXPECT_TRUE(nextImage(source));
+}
+
+TEST(Live, PassesOverFramesThatAreNotWhole)
+{
+	VirtualCamera camera;
+	Log log;
+	Openni2Source source(camera.config(), log);
+	for (const char* kind : {"size", "empty"})
+	{
+		ASSERT_TRUE(nextImage(source));
+		camera.set("corrupt", kind);
+		ASSERT_TRUE(becomesEmpty(source)) << kind;
+		EXPECT_GE(source.report().skipped_frames, 3U);
+		camera.set("corrupt", "none");
+		const auto frame = nextImage(source);
+		ASSERT_TRUE(frame);
+		EXPECT_GE(camera.imageOf(frame->image), 0);
+	}
+}
+
+TEST(Live, SurvivesTwentyPlugs)
+{
+	VirtualCamera camera(64, 48, 3);
+	Log log;
+	Openni2Source source(camera.config(), log);
+	for (int i = 0; i < 20; ++i)
+	{
+		ASSERT_TRUE(nextImage(source)) << i;
+		camera.set("plugged", "0");
+		ASSERT_TRUE(becomesEmpty(source)) << i;
+		camera.set("plugged", "1");
+	}
+	EXPECT_TRUE(nextImage(source));
+}
+
+TEST(Live, IsLostWhenItStaysAway)
+{
+	VirtualCamera camera;
+	SourceConfig config = camera.config();
+	config.openni2.lost_after_s = 1.5;
+	Log log;
+	Openni2Source source(config, log);
+	ASSERT_TRUE(nextImage(source));
+	camera.set("plugged", "0");
+	const std::string loss = lossOf(source);
+	for (const char* hint : {"lost", "1.5 s", "udev", "snd_usb_audio", "UsbInterface", "cable"})
+		EXPECT_THAT(loss, HasSubstr(hint));
+}
