@@ -111,8 +111,7 @@ RunSummary exploreAndSum(Run& run)
 	try
 	{
 		const std::string reason = exploreAll(run);
-		run.link.stop();  // at once: what is written now takes a while
-		run.link.say();
+		run.link.finish();  // at once: what is written now takes a while
 		run.logger.status().finish();
 		RunSummary summary = summaryOf(run, reason);
 		writeMap(run);
@@ -122,8 +121,7 @@ RunSummary exploreAndSum(Run& run)
 	}
 	catch (const std::exception& error)
 	{
-		run.link.stop();
-		run.link.say();
+		run.link.finish();
 		run.logger.status().finish();
 		try
 		{

@@ -30,7 +30,7 @@ std::string printedBy(const std::string& program, std::vector<std::string> argum
 	const int commands = freePort(), listen = freePort();
 	arguments.insert(arguments.end(), {std::to_string(commands), std::to_string(listen)});
 	const auto printed = folder / "client.txt";
-	Program client(program, arguments, {printed.string()});
+	Program client(program, arguments, {printed.string(), 0, {}});
 	while (client.running() && !isTaken(commands)) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 	const auto result =
 	    exploreMrpt({"--ini", "corridor.ini", "--rawlog", EXPLORE_SOURCE_DIR "/rawlogs/corridor.rawlog", "--realtime",
