@@ -112,8 +112,7 @@ RunSummary exploreAndSum(Run& run)
 	try
 	{
 		const std::string reason = exploreAll(run);
-		run.link.stop();  // at once: what is written now takes a while
-		run.link.say();
+		run.link.finish();  // at once: what is written now takes a while
 		run.logger.status().finish();
 		RunSummary summary = summaryOf(run, reason);
 		writeMap(run);
@@ -123,8 +122,7 @@ RunSummary exploreAndSum(Run& run)
 	}
 	catch (const std::exception& error)
 	{
-		run.link.stop();
-		run.link.say();
+		run.link.finish();
 		run.logger.status().finish();
 		try
 		{

@@ -29,9 +29,12 @@ void RunLink::decided(const Decision& decision, mrpt::Clock::time_point frame)
 	if (m_commands) m_commands->decided(decision, mrpt::Clock::toDouble(frame));
 }
 
-void RunLink::stop() noexcept
+void RunLink::finish()
 {
 	if (m_commands) m_commands->stop();
+	say();
+	if (const std::size_t count = m_inbox.malformed(); count > 1)
+		m_logger.logStr(mrpt::system::LVL_WARN, "robot link: " + std::to_string(count) + " messages were malformed");
 }
 
 void RunLink::say()

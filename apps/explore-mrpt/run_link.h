@@ -26,12 +26,12 @@ public:
 	/** Commands what was decided about a frame, and logs what the link has to say. Throws OutputError when commands can
 	 * no longer be delivered. */
 	void decided(const Decision& decision, mrpt::Clock::time_point frame);
-	/** Tells the robot to stop, for good. Does not throw. */
-	void stop() noexcept;
-	/** Logs what the link has to say. */
-	void say();
+	/** Tells the robot to stop, for good, and logs what the link has to say. The destructor does the first as well. */
+	void finish();
 
 private:
+	void say();
+
 	ConsoleLogger& m_logger;
 	LinkRemarks m_remarks;
 	RobotInbox m_inbox;

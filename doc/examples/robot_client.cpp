@@ -4,7 +4,10 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -21,7 +24,9 @@ int main(int argc, char** argv)
 	explorer.sin_port = htons(static_cast<std::uint16_t>(argc > 2 ? std::atoi(argv[2]) : 0));
 	if (bind(commands, reinterpret_cast<sockaddr*>(&here), sizeof(here)) != 0) return 3;
 
-	double x = 0, y = 0, yaw = 0, distance = 0, last_t = 0;
+	using Clock = std::chrono::steady_clock;
+	double x = 0, y = 0, yaw = 0, distance = 0, turned = 0, t = 0, frame_t = 0;
+	Clock::time_point since;
 	int count = 0;
 	nlohmann::json last{{"stop", true}};
 	pollfd state{commands, POLLIN, 0};
@@ -34,16 +39,19 @@ int main(int argc, char** argv)
 		last = nlohmann::json::parse(text, text + size);
 		++count;
 		if (last["t"].is_null()) continue;  // the explorer waits for its first frame
-		const double t = last["t"], v = last["v"][0], yaw_rate = last["yaw_rate"];
-		const double dt = last_t > 0 ? t - last_t : 0;  // a real robot asks its clock
-		last_t = t;
-		yaw += yaw_rate * dt;  // here: set the motors to v and yaw_rate
+		if (frame_t == 0) t = last["t"];
+		if (last["t"] != frame_t) frame_t = last["t"], since = Clock::now();
+		const double now = frame_t + std::chrono::duration<double>(Clock::now() - since).count();
+		const double dt = std::max(0.0, now - t);  // a real robot asks its clock
+		t = now;
+		const double v = last["v"][0], yaw_rate = last["yaw_rate"];  // here: set the motors
+		yaw += yaw_rate * dt, turned += std::abs(yaw_rate) * dt, distance += v * dt;
 		x += v * std::cos(yaw) * dt, y += v * std::sin(yaw) * dt;
-		distance += v * dt;
 		if (argc < 3) continue;
 		const nlohmann::json pose{{"t", t}, {"x", x}, {"y", y}, {"z", 0}, {"yaw", yaw}, {"pitch", 0}, {"roll", 0}};
 		const std::string message = nlohmann::json{{"pose", pose}}.dump();
 		sendto(commands, message.data(), message.size(), 0, reinterpret_cast<sockaddr*>(&explorer), sizeof(explorer));
 	}
-	std::printf("%d commands, %.2f m, the last one %s\n", count, distance, last["stop"] ? "stop" : "move");
+	std::printf("%d commands, %.2f m, %.2f rad, the last one %s\n", count, distance, turned,
+	            last["stop"] ? "stop" : "move");
 }

@@ -163,7 +163,11 @@ TEST_F(RobotLinkTest, GoesOnAfterAStallAndSaysSoOnce)
 	}
 	EXPECT_EQ(remarks.take().size(), 1U);
 	const std::size_t before = movingOnes(record.all());
-	for (int i = 0; i < 20; ++i) robot->decided(forward(0.3), 5.0), std::this_thread::sleep_for(10ms);
+	for (int i = 0; i < 1000 && movingOnes(record.all()) == before; ++i)
+	{
+		robot->decided(forward(0.3), 5.0);
+		std::this_thread::sleep_for(10ms);
+	}
 	EXPECT_GT(movingOnes(record.all()), before);
 }
 
