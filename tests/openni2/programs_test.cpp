@@ -272,16 +272,25 @@ TEST(CameraPrograms, RefuseWhatIsNoRecording)
 	EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(CameraPrograms, ComputeWhatACutRecordingHolds)
+TEST(CameraPrograms, TellWhatIsWrongWithADamagedRecording)
 {
 	const VirtualCamera camera;
 	const auto oni = testFolder() / "camera.oni", out = testFolder() / "out";
 	recordOni(oni, 20);
 	const std::string whole = readFile(oni);
-	writeFile(oni, whole.substr(0, whole.rfind(std::string("NIR\0\x0b\0\0\0", 8)) * 2 / 3));
-	const ProgramResult result = exploreMrpt({"--oni", oni.string(), "--out", out.string()});
-	EXPECT_EQ(result.exit_code, 3);
-	EXPECT_THAT(result.err, HasSubstr("cut off at byte"));
-	EXPECT_GE(frameLines(out).size(), 8U);
-	EXPECT_THAT(summaryOf(out)["source"]["damage"].get<std::string>(), HasSubstr("cut off"));
+	const std::size_t size = whole.rfind(std::string("NIR\0\x0b\0\0\0", 8));
+	writeFile(oni, whole.substr(0, size * 2 / 3));
+	const ProgramResult cut = exploreMrpt({"--oni", oni.string(), "--out", out.string()});
+	EXPECT_EQ(cut.exit_code, 3);
+	EXPECT_THAT(cut.err, HasSubstr("cut off at byte"));
+
+	// In the middle of a frame's pixels, which begin 40 bytes after their record's magic.
+	std::string holed = whole;
+	const std::size_t frame = holed.find(std::string("NIR\0\x0a\0\0\0", 8), size / 2);
+	holed.replace(frame + 1000, 300, 300, '\0');
+	writeFile(oni, holed);
+	const ProgramResult damaged = exploreMrpt({"--oni", oni.string(), "--out", out.string()});
+	EXPECT_EQ(damaged.exit_code, 3);
+	EXPECT_GE(frameLines(out).size(), 19U);
+	EXPECT_THAT(summaryOf(out)["source"]["damage"].get<std::string>(), HasSubstr("1 frames cannot be used"));
 }
