@@ -10,6 +10,7 @@ demo_packages=(
 	libmrpt-nav-dev libeigen3-dev liboctomap-dev zlib1g-dev
 	libcli11-dev nlohmann-json3-dev
 	libsdformat-dev libassimp-dev libembree-dev
+	libopenni2-dev pkg-config
 )
 test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common)
 ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev)
@@ -116,7 +117,7 @@ build() { cmake --build "$build" "$@" >&2; }
 run_demo()
 {
 	install_packages "${demo_packages[@]}"
-	configure EXPLORE_APPS=ON EXPLORE_SIMULATION=ON
+	configure EXPLORE_APPS=ON EXPLORE_SIMULATION=ON EXPLORE_OPENNI2=ON
 	timed "built" build --target explore-mrpt
 	local argument out=$root/out/demo
 	local -a out_option=(--out "$out")
@@ -132,7 +133,7 @@ run_demo()
 run_test()
 {
 	install_packages "${test_packages[@]}"
-	configure EXPLORE_APPS=ON EXPLORE_SIMULATION=ON EXPLORE_TESTS=ON
+	configure EXPLORE_APPS=ON EXPLORE_SIMULATION=ON EXPLORE_OPENNI2=ON EXPLORE_TESTS=ON
 	timed "built" build
 	timed "tested" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
 }

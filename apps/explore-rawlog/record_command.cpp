@@ -115,8 +115,18 @@ Recorded recordPoses(RayScene& scene, const RecordOptions& options, RecordConfig
 	return all;
 }
 
+void demandWay(const RecordOptions& options)
+{
+	if (options.world.empty()) throw ConfigError("record needs one of --world F.sdf, --openni2 and --oni F.oni");
+	if (options.path.empty() && options.poses.empty() && options.drive.empty())
+		throw ConfigError("--world needs a way through it: one of --path, --poses and --drive");
+	if (options.out.empty()) throw ConfigError("--out LOG.rawlog is needed");
+}
+
 int recordLog(const RecordOptions& options)
 {
+	if (options.camera.given()) return recordCamera(cameraOptionsOf(options));
+	demandWay(options);
 	RecordConfig config = recordConfigOf(options);
 	WorldPaths paths = usualWorldPaths();
 	paths.labels_file = options.labels;
@@ -150,7 +160,9 @@ int recordLog(const RecordOptions& options)
 void addRecordCommand(CLI::App& app, std::function<int()>& command)
 {
 	auto options = std::make_shared<RecordOptions>();
-	CLI::App* record = app.add_subcommand("record", "Makes a rawlog and its truth of a way through a simulated world.");
+	CLI::App* record = app.add_subcommand(
+	    "record",
+	    "Makes a rawlog of what a depth camera sees, or, with its truth, of a way through a simulated world.");
 	addRecordOptions(*record, *options);
 	record->callback([options, &command] { command = [options] { return recordLog(*options); }; });
 }

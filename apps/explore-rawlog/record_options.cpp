@@ -14,6 +14,7 @@
 #include <cstring>
 #include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 namespace explore::app
@@ -24,7 +25,8 @@ const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"
 
 void addWayOptions(CLI::App& record, RecordOptions& options)
 {
-	record.add_option("--world", options.world, "The Gazebo SDF world to record in")->required()->type_name("F.sdf");
+	record.add_option("--world", options.world, "The Gazebo SDF world to record in")->type_name("F.sdf");
+	addCameraOptions(record, options.camera);
 	record
 	    .add_option("--labels", options.labels,
 	                "Doors, routes and more of the world; else its own and those of F.doors.json beside it")
@@ -39,7 +41,7 @@ void addWayOptions(CLI::App& record, RecordOptions& options)
 	way->add_option("--drive", options.drive,
 	                "A route of the world by its name: a robot with dynamics and limits drives (or flies) it")
 	    ->type_name("NAME");
-	way->require_option(1);
+	way->require_option(0, 1);
 	record.add_option("--seconds", options.seconds, "Stops after that time; else at the way's end")
 	    ->type_name("S")
 	    ->check(CLI::PositiveNumber.description(""));
@@ -68,6 +70,21 @@ void addSensorOptions(CLI::App& record, RecordOptions& options)
 	    ->type_name("HZ")
 	    ->check(CLI::Range(0.1, 1000.0).description(""));
 	record.add_flag("--no-color", options.no_color, "Depth alone, no colour images");
+}
+
+/** What makes sense in a world alone is refused beside a camera or an .oni recording. */
+void excludeFromCameras(CLI::App& record)
+{
+	const std::set<std::string> allowed{"--help", "--openni2", "--oni",     "--out",
+	                                    "--ini",  "--set",     "--seconds", "--pose"};
+	CLI::Option* const camera = record.get_option("--openni2");
+	CLI::Option* const oni = record.get_option("--oni");
+	camera->excludes(oni);
+	std::vector<CLI::Option*> options = record.get_options();
+	for (CLI::App* const group : record.get_subcommands({}))
+		for (CLI::Option* const option : group->get_options()) options.push_back(option);
+	for (CLI::Option* const option : options)
+		if (!allowed.contains(option->get_name())) option->excludes(camera)->excludes(oni);
 }
 
 std::string quoted(const std::string& word)
@@ -146,15 +163,26 @@ mrpt::poses::CPose3D mountOf(const RecordOptions& options, const CameraConfig& c
 }
 }  // namespace
 
+CameraRecordOptions cameraOptionsOf(const RecordOptions& options)
+{
+	CameraRecordOptions camera = options.camera;
+	camera.out = options.out;
+	camera.ini = options.ini;
+	camera.set = options.set;
+	camera.mount = options.mount;
+	camera.seconds = options.seconds;
+	return camera;
+}
+
 void addRecordOptions(CLI::App& record, RecordOptions& options)
 {
 	addWayOptions(record, options);
 	addSensorOptions(record, options);
 	record.add_option("--seed", options.seed, "Of all noise")->type_name("N")->capture_default_str();
 	record
-	    .add_option(
-	        "--ini", options.ini,
-	        "[robot], [camera], [simulated_camera] and [simulated_robot] from a path, or a name in the ini/ folder")
+	    .add_option("--ini", options.ini,
+	                "[robot], [camera], [openni2], [simulated_camera] and [simulated_robot] from a path, or a name in "
+	                "the ini/ folder")
 	    ->type_name("NAME");
 	record.add_option("--set", options.set, "Overrides one key of the ini; may be repeated")
 	    ->type_name("SECTION.KEY=VALUE")
@@ -165,8 +193,8 @@ void addRecordOptions(CLI::App& record, RecordOptions& options)
 	    ->type_name("N")
 	    ->check(CLI::Range(1, 256).description(""));
 	record.add_option("--out", options.out, "The rawlog to write (gzipped); its truth goes beside it")
-	    ->required()
 	    ->type_name("LOG.rawlog");
+	excludeFromCameras(record);
 }
 
 std::string commandOf(const RecordOptions& options)

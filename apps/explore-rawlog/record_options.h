@@ -1,6 +1,7 @@
 // What explore-rawlog record is asked for, and what becomes of it.
 #pragma once
 
+#include <explore-rawlog/record_camera.h>
 #include <explore/simulation/recorder.h>
 
 #include <cstdint>
@@ -17,6 +18,7 @@ namespace explore::app
 {
 struct RecordOptions
 {
+	CameraRecordOptions camera;  ///< instead of a world
 	std::string world, labels, path, poses, drive, out, ini, sensor, noise;
 	std::optional<RobotKind> robot;
 	std::vector<double> mount;  ///< x y z [m] yaw pitch roll [deg]; empty = the usual one
@@ -29,6 +31,9 @@ struct RecordOptions
 	int threads = 1;
 	bool no_color = false;
 };
+
+/** What of the options a camera or an .oni recording takes. */
+CameraRecordOptions cameraOptionsOf(const RecordOptions& options);
 
 void addRecordOptions(CLI::App& record, RecordOptions& options);
 

@@ -1,6 +1,7 @@
 #include <common/parse_arguments.h>
 #include <explore-rawlog/import_command.h>
 #include <explore-rawlog/info_command.h>
+#include <explore-rawlog/record_camera.h>
 #include <explore-rawlog/run.h>
 #ifdef EXPLORE_SIMULATION
 #include <explore-rawlog/record_command.h>
@@ -15,21 +16,25 @@ namespace explore::app
 int runRawlogTool(int argc, const char* const* argv)
 {
 #ifdef EXPLORE_SIMULATION
-	const std::string description = "Makes rawlogs from recordings and simulated worlds, and tells what they contain.";
+	const std::string description =
+	    "Makes rawlogs from recordings, depth cameras and simulated worlds, and tells what they contain.";
 #else
-	const std::string description = "Makes rawlogs from recordings, and tells what they contain.";
+	const std::string description = "Makes rawlogs from recordings and depth cameras, and tells what they contain.";
 #endif
 	CLI::App app(description, "explore-rawlog");
 	app.set_version_flag("--version", std::string("explore-rawlog ") + EXPLORE_VERSION);
 	app.require_subcommand(1);
 	app.footer(
-	    "Exit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or damaged, 5 output cannot be written.");
+	    "Exit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or damaged,\n"
+	    "4 camera lost, 5 output cannot be written, 130 / 143 recording of a camera interrupted.");
 	std::function<int()> command;
 	addImportCommand(app, command);
 	addInfoCommand(app, command);
 #ifdef EXPLORE_SIMULATION
 	addRecordCommand(app, command);
 	addSynthCommand(app, command);
+#else
+	addCameraRecordCommand(app, command);
 #endif
 	if (const auto exit_code = parseArguments(app, argc, argv)) return *exit_code;
 	return command();

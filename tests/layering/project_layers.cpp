@@ -23,7 +23,7 @@ std::vector<Layer> projectLayers()
 	     {"mrpt", "Eigen", "octomap"},
 	     true},
 	    {"sources", root + "sources/", {"core", "config"}, {"mrpt", "Eigen", "octomap", "zlib.h"}, false},
-	    {"openni2", root + "openni2/", {"core", "config", "sources"}, {"mrpt", "Eigen", "OpenNI.h"}, false},
+	    {"openni2", root + "openni2/", {"core", "config", "sources"}, {"mrpt", "Eigen", "OpenNI.h", "dlfcn.h"}, false},
 	    {"sinks",
 	     root + "sinks/",
 	     {"core", "config", "memory", "navigation", "pipeline"},

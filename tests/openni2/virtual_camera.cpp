@@ -3,9 +3,12 @@
 #include "support/analytic_scene.h"
 #include "support/test_files.h"
 
+#include <OpenNI.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 #include <thread>
 
 namespace explore::test
@@ -73,5 +76,35 @@ SourceConfig VirtualCamera::config() const
 	config.openni2.lost_after_s = 4;
 	config.camera.mount = MountPolicy::ini;
 	return config;
+}
+
+void recordOni(const std::filesystem::path& path, int frames, const OniOptions& options)
+{
+	const auto demand = [](openni::Status status, const char* what)
+	{
+		if (status != openni::STATUS_OK)
+			throw std::runtime_error(what + std::string(openni::OpenNI::getExtendedError()));
+	};
+	demand(openni::OpenNI::initialize(), "initialize: ");
+	{
+		openni::Device device;
+		demand(device.open(openni::ANY_DEVICE), "open: ");
+		openni::VideoStream stream;
+		demand(stream.create(device, openni::SENSOR_DEPTH), "create: ");
+		demand(stream.setMirroringEnabled(options.mirrored), "mirror: ");
+		openni::Recorder recorder;
+		demand(recorder.create(path.c_str()), "recorder: ");
+		demand(recorder.attach(stream, true), "attach: ");
+		demand(stream.start(), "start: ");
+		demand(recorder.start(), "record: ");
+		openni::VideoFrameRef frame;
+		for (int i = 0; i < frames + 5; ++i) demand(stream.readFrame(&frame), "read: ");
+		recorder.stop();
+		recorder.destroy();
+		stream.stop();
+		stream.destroy();
+		device.close();
+	}
+	openni::OpenNI::shutdown();
 }
 }  // namespace explore::test

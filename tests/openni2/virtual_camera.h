@@ -40,4 +40,11 @@ private:
 	double m_unit_m;
 	std::map<std::string, std::string> m_control;
 };
+
+struct OniOptions
+{
+	bool mirrored = false;
+};
+/** Records at least `frames` frames of the virtual camera with OpenNI2's own recorder. */
+void recordOni(const std::filesystem::path& path, int frames, const OniOptions& options = {});
 }  // namespace explore::test

@@ -1,7 +1,9 @@
+#include <dlfcn.h>
 #include <explore/core/errors.h>
 #include <explore/openni2/oni_file.h>
+#include <explore/openni2/oni_structure.h>
 
-#include <fstream>
+#include <algorithm>
 
 namespace explore::openni2
 {
@@ -10,22 +12,17 @@ namespace
 /** A frame of a recording is a matter of milliseconds: after that long it will not come. */
 constexpr std::chrono::seconds kPatience{10};
 
-void demandReadable(const std::filesystem::path& path)
+/** The player's thread may still be on its way out when its driver is unloaded: the driver stays in memory. */
+void keepDriverLoaded()
 {
-	std::error_code error;
-	if (!std::filesystem::exists(path, error)) throw InputError(path.string() + ": no such recording");
-	if (!std::filesystem::is_regular_file(path, error)) throw InputError(path.string() + ": is no file");
-	std::ifstream file(path, std::ios::binary);
-	std::string magic(4, '\0');
-	if (!file) throw InputError(path.string() + ": cannot be read");
-	if (!file.read(magic.data(), 4) || magic != "NI10")
-		throw InputError(path.string() + ": is no recording of OpenNI2: byte 0 does not begin with \"NI10\"");
+	::dlopen("libOniFile.so.0", RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);  // a driver of another name is left alone
 }
 }  // namespace
 
 OniFile::OniFile(const std::filesystem::path& path, const Openni2Config& config)
 {
-	demandReadable(path);
+	keepDriverLoaded();
+	const OniStructure structure = checkStructure(path);
 	try
 	{
 		m_stream = std::make_unique<DepthStream>(std::filesystem::absolute(path).string(),
@@ -33,15 +30,26 @@ OniFile::OniFile(const std::filesystem::path& path, const Openni2Config& config)
 	}
 	catch (const SensorLost& error)
 	{
-		throw InputError(path.string() + ": cannot be played; it may be cut off or damaged: " + error.what());
+		throw InputError(path.string() + ": " + (structure.damage.empty() ? "" : structure.damage + "; ") +
+		                 "OpenNI2 cannot play it: " + error.what());
 	}
 	m_count = m_stream->frameCount();
-	if (m_count < 1) throw InputError(path.string() + ": holds no depth frame");
+	if (!structure.damage.empty())
+	{
+		m_whole = std::min(m_count, structure.depth_frames);
+		m_file_damage = structure.damage;
+	}
+	else
+		m_whole = m_count;
+	if (m_whole < 1)
+		throw InputError(path.string() + ": " + (structure.damage.empty() ? "" : structure.damage + "; ") +
+		                 "holds no depth frame");
 }
 
 std::optional<RawDepth> OniFile::next()
 {
-	if (m_read >= m_count || !m_damage.empty()) return std::nullopt;
+	if (m_read >= m_whole && m_damage.empty()) m_damage = m_file_damage;
+	if (m_read >= m_whole || !m_damage.empty()) return std::nullopt;
 	std::optional<RawDepth> frame;
 	try
 	{

@@ -26,7 +26,7 @@ public:
 private:
 	Library m_library;
 	std::unique_ptr<DepthStream> m_stream;
-	int m_count = 0, m_read = 0, m_last_number = -1;
-	std::string m_damage;
+	int m_count = 0, m_whole = 0, m_read = 0, m_last_number = -1;
+	std::string m_file_damage, m_damage;  ///< seen at once; met so far
 };
 }  // namespace explore::openni2
