@@ -44,7 +44,7 @@ std::optional<std::string> exploreOneFrame(Run& run)
 	run.timing.add(clock.times());
 	run.tally.add(*frame, result);
 	if (const auto remark = run.depth_check.look(*frame)) run.logger.logStr(mrpt::system::LVL_WARN, *remark);
-	if (run.robot != nullptr && result.finished) return std::string(nameOf(run.state.mission.end));
+	if (run.obeyed && result.finished) return std::string(nameOf(run.state.mission.end));
 	if (run.options.realtime) run.pace.waitFor(frame->timestamp);
 	return std::nullopt;
 }
@@ -174,6 +174,7 @@ int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint
 	        loaded.config,
 	        *input.source,
 	        input.robot,
+	        input.robot != nullptr || (input.live && link.commands()),
 	        outputs,
 	        link,
 	        logger,

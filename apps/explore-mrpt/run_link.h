@@ -23,6 +23,8 @@ public:
 	/** The source with what the robot says in its frames, which is the source itself where nobody listens. The link
 	 *  outlives it. */
 	std::unique_ptr<FrameSource> linked(std::unique_ptr<FrameSource> source);
+	/** Whether commands go to a robot. */
+	[[nodiscard]] bool commands() const { return m_commands.has_value(); }
 	/** Commands what was decided about a frame, and logs what the link has to say. Throws OutputError when commands can
 	 * no longer be delivered. */
 	void decided(const Decision& decision, mrpt::Clock::time_point frame);

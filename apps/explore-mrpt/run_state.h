@@ -19,6 +19,7 @@ struct Run
 	const AppConfig& config;
 	FrameSource& source;
 	ClosedLoopSource* robot = nullptr;  ///< the same, where it takes commands
+	bool obeyed = false;  ///< what is decided moves the camera: when the exploration is over, so is the run
 	RunOutputs& outputs;
 	RunLink& link;
 	ConsoleLogger& logger;

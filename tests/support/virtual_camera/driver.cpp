@@ -1,6 +1,7 @@
 // A depth camera that is not there: an OpenNI2 driver that serves the images of a file and does what a control file
 // says.
 #include "frames_file.h"
+#include "live_frame.h"
 
 #include <Driver/OniDriverAPI.h>
 
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -122,7 +124,8 @@ public:
 	{
 		if (!shared().get().starts) return ONI_STATUS_ERROR;
 		m_runs = true;
-		m_thread = std::thread([this] { serve(); });
+		const bool live = std::filesystem::exists(controlFolder() + "/live");
+		m_thread = std::thread([this, live] { live ? serveLive() : serve(); });
 		return ONI_STATUS_OK;
 	}
 	void stop() override { halt(); }
@@ -207,10 +210,24 @@ private:
 			if (!m_runs) break;
 			m_time_us += static_cast<std::uint64_t>(period.count());
 			const Control control = shared().get();
-			if (control.plugged && !control.stalled) serveOne(control);
+			const auto& image = m_frames.images[m_number % m_frames.images.size()];
+			if (control.plugged && !control.stalled) serveOne(image, control);
 		}
 	}
-	void serveOne(const Control& control)
+	/** Serves what another program leaves, with its times. */
+	void serveLive()
+	{
+		const std::size_t pixels = m_frames.images.front().size();
+		for (std::uint64_t last = 0; m_runs; std::this_thread::sleep_for(1ms))
+		{
+			const auto frame = explore::test::readLiveFrame(controlFolder() + "/live", last, pixels);
+			if (!frame) continue;
+			last = frame->number;
+			m_time_us = frame->time_us;
+			serveOne(frame->counts, shared().get());
+		}
+	}
+	void serveOne(const std::vector<std::uint16_t>& image, const Control& control)
 	{
 		OniFrame* frame = getServices().acquireFrame();
 		if (frame == nullptr) return;
@@ -221,15 +238,14 @@ private:
 		frame->stride = static_cast<int>(m_frames.width_px * sizeof(std::uint16_t));
 		frame->timestamp = m_time_us;
 		frame->frameIndex = static_cast<int>(++m_number);
-		fill(*frame);
+		fill(*frame, image);
 		if (control.corrupt == "size") frame->dataSize /= 2, frame->height -= 7;
 		if (control.corrupt == "empty") frame->dataSize = 0, frame->width = 0, frame->height = 0;
 		raiseNewFrame(frame);
 		getServices().releaseFrame(frame);
 	}
-	void fill(OniFrame& frame)
+	void fill(OniFrame& frame, const std::vector<std::uint16_t>& image)
 	{
-		const auto& image = m_frames.images[(m_number - 1) % m_frames.images.size()];
 		frame.dataSize = static_cast<int>(image.size() * sizeof(std::uint16_t));
 		auto* pixels = static_cast<std::uint16_t*>(frame.data);
 		const auto width = static_cast<std::size_t>(m_frames.width_px);
