@@ -1,6 +1,8 @@
 #include <explore/sinks/robot_link/robot_link.h>
-#include <signal.h>
 
+#include <algorithm>
+#include <array>
+#include <csignal>
 #include <cstdio>
 #include <utility>
 
@@ -31,9 +33,10 @@ std::chrono::steady_clock::duration durationOf(double seconds)
 
 std::string watchdogRemark(double watchdog_s)
 {
-	char text[100];
-	std::snprintf(text, sizeof(text), "robot link: no new decision for %g s: the robot was told to stop", watchdog_s);
-	return text;
+	std::array<char, 100> text{};
+	std::snprintf(text.data(), text.size(), "robot link: no new decision for %g s: the robot was told to stop",
+	              watchdog_s);
+	return text.data();
 }
 }  // namespace
 
