@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 using namespace explore;
@@ -99,6 +101,29 @@ TEST(Live, DeliversWhatTheCameraSees)
 	EXPECT_GE(*last, before);
 	EXPECT_LE(*last, mrpt::Clock::now());
 	EXPECT_EQ(log.all, "");
+}
+
+TEST(HostTime, FollowsTheLeastDelayAndADriftingClock)
+{
+	HostTime clock;
+	const auto start = mrpt::Clock::fromDouble(1'500'000'000.0);
+	const auto after = [&](double seconds)
+	{ return start + std::chrono::duration_cast<mrpt::Clock::duration>(std::chrono::duration<double>(seconds)); };
+	auto last = start;
+	double worst_s = 0;
+	for (int i = 0; i < 3000; ++i)
+	{
+		const double taken_s = i / 30.0;
+		RawDepth raw;
+		// A clock that is 0.01 % slow, and frames that come 5 ms late, every third one 60 ms; the first one is slow.
+		raw.device_time_us = static_cast<std::uint64_t>(7e6 + 1e6 * taken_s * 0.9999);
+		raw.arrived = after(taken_s + (i % 3 == 0 ? 0.06 : 0.005));
+		const auto time = clock.of(raw);
+		EXPECT_GT(time, last);
+		last = time;
+		if (i > 3) worst_s = std::max(worst_s, std::abs(mrpt::Clock::toDouble(time) - 1'500'000'000.0 - taken_s));
+	}
+	EXPECT_LT(worst_s, 0.007);
 }
 
 TEST(Live, TakesTheLatestFrameAndCountsTheOthers)

@@ -10,6 +10,7 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLongest = 500ms;
+constexpr std::uint64_t kDrift_us = 20;
 
 mrpt::Clock::duration microseconds(std::uint64_t count)
 {
@@ -20,12 +21,10 @@ mrpt::Clock::duration microseconds(std::uint64_t count)
 mrpt::Clock::time_point HostTime::of(const RawDepth& raw)
 {
 	const mrpt::Clock::time_point device(microseconds(raw.device_time_us));
-	const auto apart = raw.arrived - (device + m_offset);
-	if (raw.connection != m_connection || apart > 1s || apart < -1s)
-	{
-		m_connection = raw.connection;
-		m_offset = raw.arrived - device;
-	}
+	const mrpt::Clock::duration offset = raw.arrived - device, apart = offset - m_offset;
+	const bool anew = raw.connection != m_connection || apart > 1s || apart < -1s;
+	m_connection = raw.connection;
+	m_offset = anew ? offset : std::min(offset, m_offset + microseconds(kDrift_us));
 	return later(device + m_offset);
 }
 

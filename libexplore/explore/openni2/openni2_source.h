@@ -6,8 +6,9 @@
 
 namespace explore::openni2
 {
-/** The device's clock on this machine's: an offset fixed at the first frame since the camera was opened, and anew where
- *  the two are a second apart. Times always grow. */
+/** The device's clock on this machine's. The frame that came with the least delay since the camera was opened is taken
+ *  to have come with none; what is known of it fades by 20 µs a frame, for clocks drift apart. Begins anew where the
+ * two are a second apart. Times always grow. */
 class HostTime
 {
 public:
