@@ -25,7 +25,7 @@ RunSummary someSummary()
 	summary.version = "1.2.3";
 	summary.config = "corridor.ini";
 	summary.input = {
-	    "rawlog", "a.rawlog", 2, 11, 1, "cut off at byte 99", "KINECT", {"KINECT", "OTHER"}, PoseOrigin::odometry,
+	    "rawlog", "a.rawlog", 2, 5, 3, 11, 1, "cut off at byte 99", "KINECT", {"KINECT", "OTHER"}, PoseOrigin::odometry,
 	    false};
 	summary.tally.add(frameAt(0, 0, 0), test::fullResult());
 	summary.tally.add(frameAt(3, 4, 2.5), StepResult{});
@@ -44,7 +44,7 @@ TEST(Summary, CarriesWhatTheContractNames)
 	EXPECT_EQ(document["version"], "1.2.3");
 	EXPECT_EQ(document["config"], "corridor.ini");
 	EXPECT_EQ(document["source"], json::parse(R"({"kind":"rawlog","path":"a.rawlog","frames":2,"lost_bytes":11,
-		"lost_objects":1,"skipped_frames":2,"damage":"cut off at byte 99","sensor":"KINECT",
+		"lost_objects":1,"skipped_frames":2,"dropped_frames":5,"away_frames":3,"damage":"cut off at byte 99","sensor":"KINECT",
 		"sensors_found":["KINECT","OTHER"],"pose_from":"odometry","identity_mount":false})"));
 	EXPECT_EQ(document["doors"], json::array());
 	EXPECT_EQ(document["corridors"], json::array());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace explore::openni2
 {
@@ -87,8 +88,8 @@ struct DepthStream::Handles
 	Handles& operator=(const Handles&) = delete;
 };
 
-DepthStream::DepthStream(const std::string& uri, Origin origin, const Openni2Config& config)
-    : m_config(config), m_handles(std::make_unique<Handles>())
+DepthStream::DepthStream(const std::string& uri, Origin origin, Openni2Config config)
+    : m_config(std::move(config)), m_handles(std::make_unique<Handles>())
 {
 	openDevice(uri);
 	if (origin == Origin::camera)

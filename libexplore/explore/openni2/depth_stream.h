@@ -30,7 +30,7 @@ public:
 	/** Opens what `uri` names – a camera's URI, a recording's path – and starts its depth stream. Of a camera, size,
 	 *  rate and registration become what `config` asks for. A Library must be there as long as the stream is. Throws
 	 *  ConfigError for what the camera does not have, SensorLost for all else, with OpenNI2's reason. */
-	DepthStream(const std::string& uri, Origin origin, const Openni2Config& config);
+	DepthStream(const std::string& uri, Origin origin, Openni2Config config);
 	~DepthStream();
 	DepthStream(const DepthStream&) = delete;
 	DepthStream& operator=(const DepthStream&) = delete;

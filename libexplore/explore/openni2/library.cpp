@@ -24,6 +24,7 @@ std::vector<DeviceEntry> listDevices()
 	openni::Array<openni::DeviceInfo> found;
 	openni::OpenNI::enumerateDevices(&found);
 	std::vector<DeviceEntry> devices;
+	devices.reserve(static_cast<std::size_t>(found.getSize()));
 	for (int i = 0; i < found.getSize(); ++i)
 		devices.push_back({found[i].getUri(), found[i].getVendor(), found[i].getName()});
 	return devices;
