@@ -78,9 +78,10 @@ std::string exploreAll(Run& run)
 
 InputSummary inputSummary(const SourceReport& report)
 {
-	return {report.kind,         report.path,          report.skipped_frames, report.dropped_frames,
-	        report.away_frames,  report.lost_bytes,    report.lost_objects,   report.damage,
-	        report.sensor_label, report.sensors_found, report.pose_origin,    report.identity_mount};
+	return {
+	    report.kind,          report.path,        report.skipped_frames, report.dropped_frames, report.oldest_frame_ms,
+	    report.away_frames,   report.lost_bytes,  report.lost_objects,   report.damage,         report.sensor_label,
+	    report.sensors_found, report.pose_origin, report.identity_mount};
 }
 
 RunSummary summaryOf(Run& run, const std::string& reason)
@@ -93,6 +94,7 @@ RunSummary summaryOf(Run& run, const std::string& reason)
 	        reason,
 	        run.timing.statistics(),
 	        peakResidentMegabytes(),
+	        processorUse(run.started),
 	        explorationSummary(run.state),
 	        run.truth.summary(run.state.memory ? &run.state.memory->map.tree() : nullptr)};
 }

@@ -10,6 +10,8 @@
 #include <explore-mrpt/run_outputs.h>
 #include <explore-mrpt/run_truth.h>
 
+#include <chrono>
+
 namespace explore::app
 {
 /** The two ends and what is counted between them. */
@@ -27,6 +29,7 @@ struct Run
 	CheckpointKeeper& keeper;
 	DepthCheck depth_check;
 	RunTruth truth;
+	std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 	Pace pace{};
 	TimingRecord timing{};
 	RunTally tally{};

@@ -140,6 +140,8 @@ TEST(Live, TakesTheLatestFrameAndCountsTheOthers)
 	ASSERT_TRUE(frame);
 	EXPECT_GT(frame->timestamp, asked - 300ms);
 	EXPECT_GE(source.report().dropped_frames, 5U);
+	ASSERT_TRUE(source.report().oldest_frame_ms);
+	EXPECT_LT(*source.report().oldest_frame_ms, 100.0) << "what waited gave way to what came";
 }
 
 TEST(Live, CountsTenthsOfMillimetres)

@@ -24,15 +24,26 @@ RunSummary someSummary()
 	RunSummary summary;
 	summary.version = "1.2.3";
 	summary.config = "corridor.ini";
-	summary.input = {
-	    "rawlog", "a.rawlog", 2, 5, 3, 11, 1, "cut off at byte 99", "KINECT", {"KINECT", "OTHER"}, PoseOrigin::odometry,
-	    false};
+	summary.input = {"rawlog",
+	                 "a.rawlog",
+	                 2,
+	                 5,
+	                 40.5,
+	                 3,
+	                 11,
+	                 1,
+	                 "cut off at byte 99",
+	                 "KINECT",
+	                 {"KINECT", "OTHER"},
+	                 PoseOrigin::odometry,
+	                 false};
 	summary.tally.add(frameAt(0, 0, 0), test::fullResult());
 	summary.tally.add(frameAt(3, 4, 2.5), StepResult{});
 	summary.warnings = {"the floor is not there", "walls look bent"};
 	summary.reason = "input damaged";
 	summary.timing = {{"perceive", {5.0, 9.0}}, {"total", {6.0, 10.0}}};
 	summary.peak_rss_mb = 42.5;
+	summary.processor = {1.5, 2.5};
 	return summary;
 }
 }  // namespace
@@ -44,7 +55,7 @@ TEST(Summary, CarriesWhatTheContractNames)
 	EXPECT_EQ(document["version"], "1.2.3");
 	EXPECT_EQ(document["config"], "corridor.ini");
 	EXPECT_EQ(document["source"], json::parse(R"({"kind":"rawlog","path":"a.rawlog","frames":2,"lost_bytes":11,
-		"lost_objects":1,"skipped_frames":2,"dropped_frames":5,"away_frames":3,"damage":"cut off at byte 99","sensor":"KINECT",
+		"lost_objects":1,"skipped_frames":2,"dropped_frames":5,"oldest_frame_ms":40.5,"away_frames":3,"damage":"cut off at byte 99","sensor":"KINECT",
 		"sensors_found":["KINECT","OTHER"],"pose_from":"odometry","identity_mount":false})"));
 	EXPECT_EQ(document["doors"], json::array());
 	EXPECT_EQ(document["corridors"], json::array());
@@ -54,6 +65,7 @@ TEST(Summary, CarriesWhatTheContractNames)
 	EXPECT_EQ(document["warnings"], json::parse(R"(["the floor is not there","walls look bent"])"));
 	EXPECT_EQ(document["timing_ms"], json::parse(R"({"perceive":{"median":5,"p99":9},"total":{"median":6,"p99":10}})"));
 	EXPECT_EQ(document["peak_rss_mb"], 42.5);
+	EXPECT_EQ(document["processor"], json::parse(R"({"cpu_s":1.5,"wall_s":2.5})"));
 }
 
 TEST(Summary, TruthIsThereWhereItIsKnown)

@@ -47,6 +47,8 @@ std::optional<DepthFrame> Openni2Source::next()
 		const auto raw = m_camera.take(std::chrono::ceil<std::chrono::milliseconds>(due - now));
 		passOnMessages();
 		if (!raw) break;
+		const std::chrono::duration<double, std::milli> age = mrpt::Clock::now() - raw->arrived;
+		m_oldest_ms = std::max(m_oldest_ms.value_or(0.0), age.count());
 		if (auto frame = m_maker.make(*raw, m_time.of(*raw))) return frame;
 	}
 	return m_maker.makeEmpty(m_time.later(mrpt::Clock::now()));
@@ -63,6 +65,7 @@ SourceReport Openni2Source::report() const
 	const Mailbox::Counts counts = m_camera.counts();
 	report.path = m_device;
 	report.dropped_frames = counts.dropped;
+	report.oldest_frame_ms = m_oldest_ms;
 	report.skipped_frames += counts.bad;
 	return report;
 }

@@ -41,6 +41,7 @@ private:
 	FrameMaker m_maker;
 	LiveCamera m_camera;
 	HostTime m_time;
+	std::optional<double> m_oldest_ms;
 	std::string m_device;
 };
 }  // namespace explore::openni2

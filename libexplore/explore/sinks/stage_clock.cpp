@@ -52,4 +52,14 @@ double peakResidentMegabytes()
 	constexpr double kBytesPerKibibyte = 1024.0;
 	return static_cast<double>(usage.ru_maxrss) * kBytesPerKibibyte * 1e-6;
 }
+
+ProcessorUse processorUse(std::chrono::steady_clock::time_point since)
+{
+	rusage usage{};
+	getrusage(RUSAGE_SELF, &usage);
+	const auto seconds = [](const timeval& time)
+	{ return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+	const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - since;
+	return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count()};
+}
 }  // namespace explore

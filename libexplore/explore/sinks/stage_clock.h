@@ -55,4 +55,12 @@ private:
 
 /** The largest resident set of this process so far [MB = 10⁶ bytes]. */
 double peakResidentMegabytes();
+
+struct ProcessorUse
+{
+	double cpu_s = 0;   ///< of all threads of this process
+	double wall_s = 0;  ///< since `since`
+};
+/** So far. */
+ProcessorUse processorUse(std::chrono::steady_clock::time_point since);
 }  // namespace explore

@@ -19,6 +19,7 @@ Json sourceJson(const InputSummary& input, std::size_t frames)
 	        {"lost_objects", input.lost_objects},
 	        {"skipped_frames", input.skipped_frames},
 	        {"dropped_frames", input.dropped_frames},
+	        {"oldest_frame_ms", jsonOrNull(input.oldest_frame_ms)},
 	        {"away_frames", input.away_frames},
 	        {"damage", jsonOrNull(input.damage)},
 	        {"sensor", jsonOrNull(input.sensor)},
@@ -133,7 +134,8 @@ std::string lossText(const InputSummary& input)
 	std::string text;
 	if (input.skipped_frames > 0) text += mrpt::format("  unusable frames: %zu\n", input.skipped_frames);
 	if (input.dropped_frames > 0)
-		text += mrpt::format("  frames passed over for later ones: %zu\n", input.dropped_frames);
+		text += mrpt::format("  frames passed over for later ones: %zu; the oldest one used was %.0f ms old\n",
+		                     input.dropped_frames, input.oldest_frame_ms.value_or(0.0));
 	if (input.away_frames > 0)
 		text += mrpt::format("  frames without an image, the camera away: %zu\n", input.away_frames);
 	if (!input.damage.empty())
@@ -187,6 +189,8 @@ std::string summaryJson(const RunSummary& summary)
 	    {"exploration", explorationJson(summary)},
 	    {"timing_ms", timingJson(summary.timing)},
 	    {"peak_rss_mb", jsonNumber(summary.peak_rss_mb)},
+	    {"processor",
+	     {{"cpu_s", jsonNumber(summary.processor.cpu_s)}, {"wall_s", jsonNumber(summary.processor.wall_s)}}},
 	};
 	if (summary.truth) document["truth"] = truthJson(*summary.truth);
 	return jsonText(document, 2) + '\n';

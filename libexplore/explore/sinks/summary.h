@@ -53,8 +53,9 @@ struct InputSummary
 {
 	std::string kind, path;
 	std::size_t skipped_frames = 0;
-	std::size_t dropped_frames = 0;  ///< of a live camera, which was quicker than the explorer
-	std::size_t away_frames = 0;     ///< that stand for a live camera that was away
+	std::size_t dropped_frames = 0;         ///< of a live camera, which was quicker than the explorer
+	std::optional<double> oldest_frame_ms;  ///< of a live camera: its age when it was delivered
+	std::size_t away_frames = 0;            ///< that stand for a live camera that was away
 	std::uint64_t lost_bytes = 0;
 	std::size_t lost_objects = 0;
 	std::string damage;  ///< empty = intact
@@ -86,6 +87,7 @@ struct RunSummary
 	std::string reason;                 ///< why the run ended
 	std::map<std::string, StageStatistics> timing;
 	double peak_rss_mb = 0;
+	ProcessorUse processor;
 	ExplorationSummary exploration;
 	std::optional<TruthSummary> truth;  ///< no value: a recording, whose truth nobody knows
 };

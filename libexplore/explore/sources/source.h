@@ -20,10 +20,12 @@ struct SourceReport
 	std::size_t frames = 0;          ///< delivered
 	std::size_t skipped_frames = 0;  ///< observations that could not be used (missing external image, no range data)
 	std::size_t dropped_frames = 0;  ///< of a live camera: came while the one before was at work
-	std::size_t away_frames = 0;     ///< delivered without image or points, a live camera being away
-	std::uint64_t lost_bytes = 0;    ///< input after the damage that could not be read
-	std::size_t lost_objects = 0;    ///< objects that are known to be damaged or missing (at least 1 when damaged)
-	std::string damage;              ///< empty = intact; else what and where (byte offset)
+	/** Live camera: how long the oldest frame had been there when it was delivered. */
+	std::optional<double> oldest_frame_ms;
+	std::size_t away_frames = 0;   ///< delivered without image or points, a live camera being away
+	std::uint64_t lost_bytes = 0;  ///< input after the damage that could not be read
+	std::size_t lost_objects = 0;  ///< objects that are known to be damaged or missing (at least 1 when damaged)
+	std::string damage;            ///< empty = intact; else what and where (byte offset)
 	std::vector<std::string> sensors_found;  ///< labels of depth sensors met so far
 	std::string sensor_label;                ///< the one that is used
 	PoseOrigin pose_origin = PoseOrigin::none;
