@@ -21,7 +21,7 @@ mrpt::Clock::time_point HostTime::of(const RawDepth& raw)
 {
 	const mrpt::Clock::time_point device(microseconds(raw.device_time_us));
 	const auto apart = raw.arrived - (device + m_offset);
-	if (raw.connection != m_connection || apart > 1s || apart < -1s)
+	if (raw.connection != m_connection || apart > 1s || apart < 0s)
 	{
 		m_connection = raw.connection;
 		m_offset = raw.arrived - device;

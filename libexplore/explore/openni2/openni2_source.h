@@ -6,8 +6,9 @@
 
 namespace explore::openni2
 {
-/** The device's clock on this machine's: an offset fixed at the first frame since the camera was opened, and anew where
- *  the two are a second apart. Times always grow. */
+/** The device's clock on this machine's: an offset fixed at the first frame since the camera was opened. It is fixed
+ * anew where a frame would be from the future, since then the first one was late, or a second old. Times always grow.
+ */
 class HostTime
 {
 public:
