@@ -28,8 +28,8 @@ double yawOf(const mrpt::poses::CPose3D& robot_from_camera)
 }  // namespace
 
 MountedSource::MountedSource(std::unique_ptr<FrameSource> source, MountPolicy policy,
-                             const PerceptionConfig& perception, mrpt::system::COutputLogger& logger)
-    : m_source(std::move(source)), m_policy(policy), m_perception(perception), m_logger(logger)
+                             const PerceptionConfig& perception, mrpt::system::COutputLogger& logger, Input input)
+    : m_source(std::move(source)), m_policy(policy), m_perception(perception), m_logger(logger), m_input(input)
 {
 	lookAtFirstFrames();
 }
@@ -44,6 +44,7 @@ std::optional<DepthFrame> MountedSource::next()
 		frame = std::move(m_held_back.front());
 		m_held_back.pop_front();
 	}
+	if (frame) frame->index -= m_passed_over;
 	if (frame && m_mount)
 	{
 		const auto& recorded = frame->robot_from_camera;
@@ -51,6 +52,14 @@ std::optional<DepthFrame> MountedSource::next()
 		                                                m_mount->pitch_rad, m_mount->roll_rad);
 	}
 	return frame;
+}
+
+SourceReport MountedSource::report() const
+{
+	SourceReport report = m_source->report();
+	report.frames -= m_passed_over;
+	report.dropped_frames += m_passed_over;
+	return report;
 }
 
 void MountedSource::lookAtFirstFrames()
@@ -67,7 +76,10 @@ void MountedSource::lookAtFirstFrames()
 		estimate(frames);
 	else if (const auto remark = mountRemark(frames, m_perception))
 		m_logger.logStr(mrpt::system::LVL_WARN, *remark);
-	m_held_back.assign(std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
+	if (m_input == Input::live)
+		m_passed_over = frames.size();
+	else
+		m_held_back.assign(std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
 }
 
 void MountedSource::estimate(const std::vector<DepthFrame>& frames)

@@ -8,17 +8,23 @@
 
 namespace explore::app
 {
-/** Reads the first ten frames ahead, judges the mount by them, and passes all frames on. */
+/** Reads the first ten frames ahead, judges the mount by them, and passes all frames on; of a live camera not those
+ * ten, which are old by then and count as dropped. */
 class MountedSource : public FrameSource
 {
 public:
+	enum class Input
+	{
+		recording,
+		live
+	};
 	/** Reads the first frames, so that an input without any is noticed here. `logger` outlives the source. Throws as
 	 *  FrameSource::next(). */
 	MountedSource(std::unique_ptr<FrameSource> source, MountPolicy policy, const PerceptionConfig& perception,
-	              mrpt::system::COutputLogger& logger);
+	              mrpt::system::COutputLogger& logger, Input input = Input::recording);
 
 	std::optional<DepthFrame> next() override;
-	[[nodiscard]] SourceReport report() const override { return m_source->report(); }
+	[[nodiscard]] SourceReport report() const override;
 	[[nodiscard]] std::optional<double> progress() const override { return m_source->progress(); }
 
 private:
@@ -29,7 +35,9 @@ private:
 	MountPolicy m_policy;
 	PerceptionConfig m_perception;
 	mrpt::system::COutputLogger& m_logger;
+	Input m_input;
 	std::deque<DepthFrame> m_held_back;
+	std::size_t m_passed_over = 0;
 
 	struct Mount
 	{

@@ -9,10 +9,11 @@ namespace explore::app
 namespace
 {
 std::unique_ptr<FrameSource> mounted(std::unique_ptr<FrameSource> source, const LoadedConfig& loaded,
-                                     ConsoleLogger& logger)
+                                     ConsoleLogger& logger,
+                                     MountedSource::Input input = MountedSource::Input::recording)
 {
 	return std::make_unique<MountedSource>(std::move(source), loaded.config.source.camera.mount,
-	                                       loaded.config.explorer.perception, logger);
+	                                       loaded.config.explorer.perception, logger, input);
 }
 
 std::unique_ptr<FrameSource> openRecording(const LoadedConfig& loaded, const Options& options, ConsoleLogger& logger)
@@ -30,7 +31,8 @@ RunInput openOpenni2(const LoadedConfig& loaded, const Options& options, Console
 	SourceConfig source = loaded.config.source;
 	const bool live = source.oni.empty();
 	if (!live && options.oni.empty()) source.oni = findOniOfIni(source.oni, loaded.ini).string();
-	return {mounted(openCamera(source, logger), loaded, logger), nullptr, live};
+	const auto input = live ? MountedSource::Input::live : MountedSource::Input::recording;
+	return {mounted(openCamera(source, logger), loaded, logger, input), nullptr, live};
 }
 }  // namespace
 
