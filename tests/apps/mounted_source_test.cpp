@@ -60,6 +60,19 @@ std::vector<DepthFrame> readAll(FrameSource& source)
 }
 }  // namespace
 
+TEST(MountedSource, OfALiveCameraTheFramesThatWereLookedAtAreNotDeliveredLate)
+{
+	Log log;
+	MountedSource source(std::make_unique<CorridorSource>(25, kReal, kReal), MountPolicy::estimate, {}, log,
+	                     MountedSource::Input::live);
+	const auto frames = readAll(source);
+	ASSERT_EQ(frames.size(), 15U);
+	for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_EQ(frames[i].index, i);
+	EXPECT_NEAR(frames.front().robot_from_camera.z(), 0.62, 0.02) << "they were looked at";
+	EXPECT_EQ(source.report().frames, 15U);
+	EXPECT_EQ(source.report().dropped_frames, 10U);
+}
+
 TEST(MountedSource, EstimateFindsHeightAndTiltAndKeepsTheRest)
 {
 	Log log;
