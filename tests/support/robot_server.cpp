@@ -58,8 +58,9 @@ public:
 		for (ssize_t size = 0; (size = receive(text)) > 0;)
 		{
 			const auto message = nlohmann::json::parse(text.data(), text.data() + size);
-			m_command.velocity_mps = {message["v"][0], message["v"][1], message["v"][2]};
-			m_command.yaw_rate_radps = message["yaw_rate"];
+			const auto velocity = message["v"].get<std::array<double, 3>>();
+			m_command.velocity_mps = {velocity[0], velocity[1], velocity[2]};
+			m_command.yaw_rate_radps = message["yaw_rate"].get<double>();
 			m_heard = steady_clock::now();
 			++m_count;
 		}
@@ -181,7 +182,7 @@ int main(int argc, char** argv)
 	try
 	{
 		if (argc < 7) throw std::invalid_argument("too few arguments: see the source");
-		return explore::test::serve({argv + 1, argv + argc});
+		return explore::test::serve(std::vector<std::string>(argv + 1, argv + argc));
 	}
 	catch (const std::exception& error)
 	{
