@@ -58,6 +58,7 @@ json summaryIn(const fs::path& out)
 	json summary = json::parse(readFile(out / "summary.json"));
 	summary.erase("timing_ms");
 	summary.erase("peak_rss_mb");
+	summary.erase("processor");
 	return summary;
 }
 

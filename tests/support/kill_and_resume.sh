@@ -40,7 +40,7 @@ for run in whole killed
 do
 	python3 -c 'import json, sys
 summary = json.load(open(sys.argv[1]))
-del summary["timing_ms"], summary["peak_rss_mb"]
+del summary["timing_ms"], summary["peak_rss_mb"], summary["processor"]
 json.dump(summary, open(sys.argv[2], "w"), indent=1)' "$folder/$run/summary.json" "$folder/$run.json"
 done
 cmp "$folder/whole.json" "$folder/killed.json"
