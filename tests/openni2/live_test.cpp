@@ -249,6 +249,19 @@ TEST(Live, ComesBackAfterItWasUnplugged)
 	EXPECT_THAT(log.all, HasSubstr("delivers frames again"));
 }
 
+TEST(Live, SaysAtOnceThatItWasUnplugged)
+{
+	VirtualCamera camera;
+	Log log;
+	Openni2Source source(camera.config(), log);
+	ASSERT_TRUE(nextImage(source));
+	const auto unplugged = std::chrono::steady_clock::now();
+	camera.set("plugged", "0");
+	ASSERT_TRUE(becomesEmpty(source));
+	// A camera that is only silent is waited for half a second.
+	EXPECT_LT(std::chrono::steady_clock::now() - unplugged, 400ms);
+}
+
 TEST(Live, OpensACameraAnewThatIsSilent)
 {
 	VirtualCamera camera;

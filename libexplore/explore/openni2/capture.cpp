@@ -76,6 +76,7 @@ public:
 			const std::string end = m_stream ? deliver() : "";
 			m_stream.reset();
 			if (m_mailbox.stopping()) return;
+			if (!end.empty()) m_mailbox.lose();
 			if (!end.empty()) tellOnce(m_uri + ": " + end + "; trying to open it again");
 			rest();
 			tryToOpen();

@@ -34,6 +34,13 @@ public:
 		const std::lock_guard lock(m_mutex);
 		++m_bad;
 	}
+	/** No more frames come until further notice: whoever waits for one need not. */
+	void lose()
+	{
+		const std::lock_guard lock(m_mutex);
+		m_lost = true;
+		m_changed.notify_all();
+	}
 	/** What the user should read; the last one is why frames stay away. */
 	void tell(const std::string& text)
 	{
@@ -76,11 +83,12 @@ public:
 	}
 
 	// The exploring thread's side.
-	/** No value when none came in time. */
+	/** No value when none came in time, and at once, once, when the camera was lost. */
 	std::optional<RawDepth> take(Duration timeout)
 	{
 		std::unique_lock lock(m_mutex);
-		m_changed.wait_for(lock, timeout, [this] { return m_frame.has_value(); });
+		m_changed.wait_for(lock, timeout, [this] { return m_frame || m_lost; });
+		if (!m_frame) m_lost = false;
 		return std::exchange(m_frame, std::nullopt);
 	}
 	std::vector<std::string> takeTold()
@@ -129,6 +137,6 @@ private:
 	std::exception_ptr m_error;
 	std::chrono::steady_clock::time_point m_heard = std::chrono::steady_clock::now();
 	std::size_t m_dropped = 0, m_bad = 0;
-	bool m_begun = false, m_ended = false, m_stop = false, m_plugged_in = false;
+	bool m_lost = false, m_begun = false, m_ended = false, m_stop = false, m_plugged_in = false;
 };
 }  // namespace explore::openni2

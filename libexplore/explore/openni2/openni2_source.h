@@ -28,8 +28,8 @@ public:
 	/** `logger` outlives it. Throws ConfigError or SensorLost. */
 	Openni2Source(const SourceConfig& config, mrpt::system::COutputLogger& logger);
 
-	/** The latest frame that was not delivered yet, or after 0.5 s without one a frame with neither image nor points:
-	 *  a robot has to stop then. Throws SensorLost. */
+	/** The latest frame that was not delivered yet, or a frame with neither image nor points when it was unplugged, and
+	 * after 0.5 s without one: a robot has to stop then. Throws SensorLost. */
 	std::optional<DepthFrame> next() override;
 	[[nodiscard]] SourceReport report() const override;
 	[[nodiscard]] std::optional<double> progress() const override { return std::nullopt; }

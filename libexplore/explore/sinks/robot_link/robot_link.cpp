@@ -109,6 +109,9 @@ void RobotLink::sendUntilTheEnd()
 		// What was missed in a stall is not made up for: the robot wants the newest command, not many.
 		next = std::max(next + period, Clock::now());
 		std::unique_lock lock(m_mutex);
+		// An order that runs out before then is taken back when it does.
+		const auto runs_out = m_order.since + durationOf(m_timing.watchdog_s) + std::chrono::milliseconds(1);
+		if (m_decided && !m_order.stop && runs_out > Clock::now()) next = std::min(next, runs_out);
 		if (m_wake.wait_until(lock, next, [this] { return m_ends; })) return;
 	}
 }
