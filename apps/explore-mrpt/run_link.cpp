@@ -1,5 +1,5 @@
-#include <common/linked_source.h>
 #include <common/interrupt.h>
+#include <common/linked_source.h>
 #include <explore-mrpt/run_link.h>
 #include <explore/sinks/robot_link/json_command_sink.h>
 
