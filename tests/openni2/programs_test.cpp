@@ -1,6 +1,7 @@
 // The programs with a camera, as a user runs them: processes, files and exit codes.
 #include "apps/program.h"
 #include "openni2/virtual_camera.h"
+#include "support/test_sockets.h"
 
 #include <explore/openni2/oni_source.h>
 #include <explore/sources/rawlog_source.h>
@@ -132,6 +133,32 @@ TEST(CameraPrograms, StopTheRobotWhileTheCameraIsAwayAndEndWhenItIsLost)
 	const auto summary = summaryOf(out);
 	EXPECT_GE(summary["source"]["away_frames"], 2);
 	EXPECT_THAT(summary["exploration"]["reason"].get<std::string>(), HasSubstr("lost"));
+}
+
+TEST(CameraPrograms, TellTheRobotToStopAsSoonAsTheCameraIsUnplugged)
+{
+	VirtualCamera camera;
+	const UdpReceiver robot;
+	Arguments arguments = explored(testFolder() / "out");
+	arguments.insert(arguments.end(), {"--set", "robot_link.commands=" + robot.uri()});
+	Program program(EXPLORE_MRPT_PROGRAM, arguments, {});
+	const auto moves = [&] { return !nlohmann::json::parse(robot.socket().receive())["stop"].get<bool>(); };
+	const auto due = steady_clock::now() + 30s;
+	bool moving = false;
+	while (!moving && steady_clock::now() < due) moving = robot.socket().readable(1000) && moves();
+	ASSERT_TRUE(moving);
+
+	const auto unplugged = steady_clock::now();
+	camera.set("plugged", "0");
+	auto last = unplugged;
+	while (steady_clock::now() < unplugged + 1s)
+		if (robot.socket().readable(100) && moves()) last = steady_clock::now();
+	const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(last - unplugged);
+	RecordProperty("last_command_to_move_ms", static_cast<int>(took.count()));
+	// Some 100 ms on a machine with nothing else to do.
+	EXPECT_LT(took, 300ms);
+	program.signal(SIGTERM);
+	EXPECT_EQ(program.wait().exit_code, 143);
 }
 
 TEST(CameraPrograms, GoOnWhenTheCameraIsBack)

@@ -59,8 +59,10 @@ void RobotLink::decided(const Decision& decision, double t_s)
 {
 	const std::scoped_lock lock(m_mutex);
 	if (m_failure) std::rethrow_exception(std::exchange(m_failure, nullptr));
+	m_hurries = m_hurries || (decision.stop && !m_order.stop);
 	m_order = {{t_s, decision.command}, decision.stop, Clock::now()};
 	m_decided = true;
+	if (m_hurries) m_wake.notify_all();
 }
 
 void RobotLink::stop() noexcept
@@ -112,7 +114,9 @@ void RobotLink::sendUntilTheEnd()
 		// An order that runs out before then is taken back when it does.
 		const auto runs_out = m_order.since + durationOf(m_timing.watchdog_s) + std::chrono::milliseconds(1);
 		if (m_decided && !m_order.stop && runs_out > Clock::now()) next = std::min(next, runs_out);
-		if (m_wake.wait_until(lock, next, [this] { return m_ends; })) return;
+		m_wake.wait_until(lock, next, [this] { return m_ends || m_hurries; });
+		m_hurries = false;
+		if (m_ends) return;
 	}
 }
 

@@ -63,6 +63,7 @@ private:
 	std::condition_variable m_wake;
 	Order m_order;           ///< guarded by m_mutex, as all below
 	bool m_decided = false;  ///< at least once
+	bool m_hurries = false;  ///< a stop does not wait for its turn
 	bool m_ends = false;
 	std::exception_ptr m_failure;  ///< of the sink
 	std::thread m_thread;          ///< last: it uses all above
