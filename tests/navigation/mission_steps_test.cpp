@@ -124,6 +124,21 @@ TEST_F(ToldMission, AGoalStaysWhileNothingSpeaksAgainstItAndIsLostWhenTheMapShow
 	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
 }
 
+TEST_F(ToldMission, WhatComesAndGoesWhileTheRobotStandsIsGivenUp)
+{
+	at(m_robot, 0.5);
+	for (int i = 0; i < 4; ++i)
+	{
+		test::change(m_memory, roomWith('#'), roomWith('.'));
+		at(m_robot, 0.5);
+		test::change(m_memory, roomWith('.'), roomWith('#'));
+		at(m_robot, 0.5);
+	}
+	test::change(m_memory, roomWith('#'), roomWith('.'));
+	at(m_robot, 0.5);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
+}
+
 /** A room with an exit at the right that the robot is near, and one at the left; each is open ('.') or not. */
 test::DrawnMap roomWithTwo(char right, char left)
 {

@@ -168,6 +168,9 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	mission.open_frontiers = plan.targets.size();
 	if (mission.goal && mission.goal->kind != GoalKind::home && !isWorthKeeping(*mission.goal, plan, config.plan))
 	{
+		// What comes and goes while the robot stands there would be looked at for ever.
+		if (mission.path_m - mission.goal->chosen_at_m < kTrail_m)
+			addTry(mission, *mission.goal, mission.goal->gain_m2);
 		leave(mission, now.t_s, true);
 		mission.goal_lost = true;
 	}
