@@ -64,6 +64,14 @@ TEST_F(GoalPick, TheCurrentGoalIsKeptUnlessAnotherOrderIsMuchShorter)
 	EXPECT_EQ(first(5.0, {3.5, 8.0}, 1), 1U);
 }
 
+TEST_F(GoalPick, CutOffFromHomeTheCurrentGoalIsKept)
+{
+	const double beyond_the_wall_m = 20.0;
+	EXPECT_EQ(first(6.0, {7.0, 8.0}, 1, beyond_the_wall_m), 1U);
+	EXPECT_EQ(first(6.0, {7.0, 8.0}, 0, beyond_the_wall_m), 0U);
+	EXPECT_EQ(first(6.0, {8.0, 7.0}, {}, beyond_the_wall_m), 1U) << "the nearest";
+}
+
 TEST_F(GoalPick, TheTurnCountsWhereTheWayIsTheSame)
 {
 	const CellIndex here = m_map.cellOf({5.0, kY_m, 0});

@@ -68,7 +68,8 @@ std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const 
 	const TourCosts costs = costsBetween(input, places, robot, config);
 	const std::vector<double> tours = toursByFirst(costs);
 	const double best_m = *std::min_element(tours.begin(), tours.end());
-	if (best_m >= kNoWay_m) return nearestTarget(input.targets);
+	// Cut off from home no tour is better than another: to change between them would end none.
+	if (best_m >= kNoWay_m) return input.current.value_or(nearestTarget(input.targets));
 	if (input.current && places.front() == *input.current && tours.front() < best_m + config.switch_gain_m)
 		return *input.current;
 	std::size_t first = 0;
