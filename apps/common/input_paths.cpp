@@ -32,6 +32,11 @@ fs::path firstOf(const std::vector<fs::path>& places, std::string missing)
 	}
 	throw InputError(missing);
 }
+
+fs::path findRecording(const std::string& name, const fs::path& ini, const std::string& key)
+{
+	return firstOf(placesOf(name, ini, dataFolders("rawlogs")), name + ": no such recording (" + key + "); tried:");
+}
 }  // namespace
 
 std::vector<fs::path> iniFolders()
@@ -41,12 +46,12 @@ std::vector<fs::path> iniFolders()
 
 fs::path findRawlogOfIni(const std::string& name, const fs::path& ini)
 {
-	return firstOf(placesOf(name, ini, dataFolders("rawlogs")), name + ": no such recording ([source] rawlog); tried:");
+	return findRecording(name, ini, "[source] rawlog");
 }
 
 fs::path findOniOfIni(const std::string& name, const fs::path& ini)
 {
-	return firstOf(placesOf(name, ini, dataFolders("rawlogs")), name + ": no such recording ([source] oni); tried:");
+	return findRecording(name, ini, "[source] oni");
 }
 
 fs::path findWorldOfIni(const std::string& name, const fs::path& ini)

@@ -8,10 +8,7 @@
 #include <explore/sources/log_time.h>
 #include <explore/sources/rawlog_writer.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <numbers>
 
 namespace explore::app
 {
@@ -47,12 +44,7 @@ SourceConfig sourceConfigOf(const CameraRecordOptions& options)
 ScanHeader headerFor(const CameraRecordOptions& options, const SourceConfig& config)
 {
 	ScanHeader header = headerOf(config);
-	const std::vector<double>& p = options.mount;
-	if (p.empty()) return header;
-	if (!std::all_of(p.begin(), p.end(), [](double value) { return std::abs(value) <= 1000.0; }))
-		throw ConfigError("--pose x,y,z,yaw,pitch,roll: metres and degrees of at most 1000 are needed");
-	constexpr double kDegree_rad = std::numbers::pi / 180;
-	header.robot_from_camera = {p[0], p[1], p[2], p[3] * kDegree_rad, p[4] * kDegree_rad, p[5] * kDegree_rad};
+	if (!options.mount.empty()) header.robot_from_camera = poseOfOption(options.mount);
 	return header;
 }
 

@@ -1,6 +1,8 @@
 // explore-rawlog record --openni2 | --oni: what a depth camera sees, or an .oni recording holds, becomes a rawlog.
 #pragma once
 
+#include <mrpt/poses/CPose3D.h>
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,6 +26,9 @@ struct CameraRecordOptions
 	/** Whether either was asked for. */
 	[[nodiscard]] bool given() const { return device || !oni.empty(); }
 };
+
+/** robot_from_camera of --pose x,y,z,yaw,pitch,roll: six numbers. Throws ConfigError for one above 1000. */
+mrpt::poses::CPose3D poseOfOption(const std::vector<double>& numbers);
 
 /** --openni2 and --oni. */
 void addCameraOptions(CLI::App& record, CameraRecordOptions& options);

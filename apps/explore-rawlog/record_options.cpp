@@ -10,10 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstring>
 #include <map>
-#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -154,12 +152,7 @@ AppConfig appConfigOf(const RecordOptions& options)
 
 mrpt::poses::CPose3D mountOf(const RecordOptions& options, const CameraConfig& camera, RobotKind kind)
 {
-	const std::vector<double>& p = options.mount;
-	if (p.empty()) return simulatedMount(camera, kind);
-	if (!std::all_of(p.begin(), p.end(), [](double value) { return std::abs(value) <= 1000.0; }))
-		throw ConfigError("--pose x,y,z,yaw,pitch,roll: metres and degrees of at most 1000 are needed");
-	constexpr double kDegree_rad = std::numbers::pi / 180;
-	return {p[0], p[1], p[2], p[3] * kDegree_rad, p[4] * kDegree_rad, p[5] * kDegree_rad};
+	return options.mount.empty() ? simulatedMount(camera, kind) : poseOfOption(options.mount);
 }
 }  // namespace
 

@@ -30,6 +30,7 @@ bool seesThrough(const DepthImage& image, const Eigen::Vector3d& point_in_camera
 	if (u < 0 || v < 0 || u >= image.intrinsics.width_px || v >= image.intrinsics.height_px) return false;
 	return image.at(static_cast<int>(u), static_cast<int>(v)) > point_in_camera.x() + kBehind_m;
 }
+
 /** Whether the map has nothing there but free space: not noise of a wall either. */
 bool isKnownFree(const BodyLayers& layers, const Eigen::Vector3d& place_in_map)
 {

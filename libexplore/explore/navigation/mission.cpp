@@ -106,8 +106,8 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
                   const RobotConfig& robot, const MissionConfig& config)
 {
 	const auto lately = [&](const LookTarget& target) { return wasLeftLately(mission, target, now.t_s); };
-	const bool turns_back = (mission.goal || mission.undone) && !std::ranges::all_of(plan.targets, lately);
-	if (turns_back) std::erase_if(plan.targets, lately);
+	const bool unfinished = mission.goal || mission.undone;
+	if (unfinished && !std::ranges::all_of(plan.targets, lately)) std::erase_if(plan.targets, lately);
 	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
 	if (mission.goal)
 	{

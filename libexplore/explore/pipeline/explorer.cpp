@@ -40,6 +40,14 @@ void append(PointCloud& all, const PointCloud& more)
 	for (std::size_t i = 0; i < more.size(); ++i) all.push_back(more[i]);
 }
 
+/** What may stand too near to be measured counts as an obstacle. The camera of a MAV may look where no floor returns.
+ */
+void addHidden(Percepts& percepts, const DepthFrame& frame, const ExplorerConfig& config)
+{
+	if (config.robot.kind == RobotKind::mav) return;
+	append(percepts.obstacles_in_robot, hiddenNear(frame, percepts.near_field, config.perception.near_field));
+}
+
 /** What stands around the robot: as this frame shows it, as its other sensors do, and as the memory has it. */
 PointCloud obstaclesAround(const DepthFrame& frame, const Percepts& percepts, const FrontierMemory* memory,
                            const ExplorerConfig& config)
@@ -138,10 +146,11 @@ StepResult step(const DepthFrame& frame, ExplorerState& state, const ExplorerCon
 	done("perceive");
 
 	FrontierMemory* const memory = memoryFor(frame, state, config);
-	if (memory != nullptr && config.robot.kind == RobotKind::ground)
-		append(result.percepts.obstacles_in_robot,
-		       hiddenNear(frame, result.percepts.near_field, config.perception.near_field));
-	if (memory != nullptr) remember(*memory, frame, result.percepts, config.robot, config.memory);
+	if (memory != nullptr)
+	{
+		addHidden(result.percepts, frame, config);
+		remember(*memory, frame, result.percepts, config.robot, config.memory);
+	}
 	done("remember");
 
 	const Intent intent =

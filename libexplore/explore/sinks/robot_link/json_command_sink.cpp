@@ -8,18 +8,12 @@
 
 #include <cerrno>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace explore
 {
 namespace
 {
-std::string reasonOf(int error)
-{
-	return std::system_category().message(error);
-}
-
 /** Datagrams are sent or lost: the next one comes soon. */
 class DatagramWriter
 {

@@ -16,11 +16,6 @@ namespace explore
 {
 namespace
 {
-std::string reasonOf(int error)
-{
-	return std::system_category().message(error);
-}
-
 template <class Error>
 [[noreturn]] void fail(const LinkAddress& address, const std::string& action, const std::string& reason)
 {
@@ -103,6 +98,11 @@ Descriptor listeningStream(const LinkAddress& address)
 	return socket;
 }
 }  // namespace
+
+std::string reasonOf(int error)
+{
+	return std::system_category().message(error);
+}
 
 Descriptor::~Descriptor()
 {

@@ -3,6 +3,7 @@
 
 #include <explore/sinks/robot_link/link_address.h>
 
+#include <string>
 #include <utility>
 
 namespace explore
@@ -28,6 +29,9 @@ public:
 private:
 	int m_number;
 };
+
+/** What the system calls an errno. */
+std::string reasonOf(int error);
 
 /** A socket that sends to `address` (udp or unix_stream). Throws OutputError with the address and the system's reason,
  *  for a Unix stream also where nobody listens. */
