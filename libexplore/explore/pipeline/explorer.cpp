@@ -4,6 +4,9 @@
 #include <explore/pipeline/intent.h>
 #include <mrpt/system/datetime.h>
 
+#include <algorithm>
+#include <optional>
+
 namespace explore
 {
 namespace
@@ -116,6 +119,18 @@ double speedNow(const DepthFrame& frame, const ExplorerState& state, const Headi
 	return gap_s > config.max_frame_gap_s ? 0.0 : state.speed_mps;
 }
 
+/** How far it is to where the robot has to come to a stop, whatever comes then; no value where it may roll on. */
+std::optional<double> distanceToStop(const Intent& intent, const RobotConfig& robot)
+{
+	const double along_way_m = intent.steering.goal_distance_m;
+	// At home the run ends, and nobody corrects what a late command lets the robot roll on.
+	const Goal& goal = intent.choice.goal;
+	if (goal.kind == GoalKind::home && goal.point_in_robot)
+		return std::max(along_way_m, goal.point_in_robot->head<2>().norm());
+	// What flies drifts on where it is to turn.
+	return robot.kind == RobotKind::mav && along_way_m > 0.0 ? std::optional(along_way_m) : std::nullopt;
+}
+
 /** A turn on the spot and a step back need no view of what is ahead; all else is stopped by what forbids it. */
 Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason forbidden, double speed_mps,
                   const ExplorerConfig& config)
@@ -126,9 +141,8 @@ Decision decideOn(const Intent& intent, const Avoidance& avoidance, StopReason f
 	if (manoeuvres && (forbidden == StopReason::none || in_the_dark))
 		return manoeuvre(intent.choice, intent.steering, config.robot);
 	Decision decision = decide(intent.choice, avoidance, forbidden, speed_mps, config.robot, config.heading);
-	// What flies drifts on where it is to turn.
-	if (config.robot.kind == RobotKind::mav && intent.steering.goal_distance_m > 0.0)
-		slowFor(decision, intent.steering.goal_distance_m, config.robot, config.heading);
+	if (const auto rest_m = distanceToStop(intent, config.robot))
+		slowFor(decision, *rest_m, config.robot, config.heading);
 	return decision;
 }
 }  // namespace
