@@ -30,6 +30,7 @@ protected:
 		for (const double x_m : goals_x_m)
 		{
 			LookTarget& target = targets.emplace_back();
+			target.left_lately = m_left_lately == targets.size() - 1;
 			target.look.cell = cell(x_m);
 			target.stand_in_map = {x_m, kY_m, 0};
 			target.travel_m = field.costTo(target.look.cell);
@@ -37,6 +38,7 @@ protected:
 		return firstOfTour({m_map, field, targets, 0.0, cell(home_x_m), current}, {}, {});
 	}
 
+	std::optional<std::size_t> m_left_lately;  ///< index of such a target
 	AllowedArea m_area;
 	BodyLayers m_layers = test::layersOf(kCorridor);
 	PlanMap m_map = planMap({m_layers, m_area, {0.825, kY_m, 0}, {}, {}}, {}, {});
@@ -84,6 +86,16 @@ TEST_F(GoalPick, TheTurnCountsWhereTheWayIsTheSame)
 	EXPECT_EQ(firstOfTour(input, {}, {}), 1U) << "half a radian first, then the rest";
 }
 
+TEST_F(GoalPick, WhatWasLeftLatelyComesFirstOnlyWhereThatSavesMuch)
+{
+	m_left_lately = 1;
+	EXPECT_EQ(first(5.0, {4.5, 6.0}), 0U) << "1 m more is less than return_gain";
+	EXPECT_EQ(first(5.0, {2.0, 9.0}), 1U) << "6 m more is not";
+	EXPECT_EQ(first(5.0, {8.0}), 0U);
+	m_left_lately = 0;
+	EXPECT_EQ(first(5.0, {4.0}), 0U) << "there is nothing else";
+}
+
 TEST_F(GoalPick, MoreGoalsThanATourTakesAreNoTrouble)
 {
 	std::vector<double> goals;
@@ -91,6 +103,8 @@ TEST_F(GoalPick, MoreGoalsThanATourTakesAreNoTrouble)
 	EXPECT_EQ(first(1.0, goals, {}, 11.0), 0U);
 	EXPECT_EQ(first(1.0, goals, 0), 0U);
 	EXPECT_LT(first(1.0, goals, 19), 20U) << "the current one is among them however far it is";
+	for (int i = 0; i < 80; ++i) goals.push_back(1.5 + 0.1 * i);
+	EXPECT_LT(first(1.0, goals, 99), 100U);
 }
 
 TEST(NearestTarget, IsTheOneWithTheLeastWay)

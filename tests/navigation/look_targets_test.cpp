@@ -130,7 +130,7 @@ TEST(BestLook, IsATurnWhereTheRobotStandsWhenThatShowsEnough)
 	const Scene scene(drawn, robot_in_map);
 	const auto best = bestLook(scene.map, scene.field, scene.frontierAt({2.0, 2.2, 0.0}), {});
 	ASSERT_TRUE(best);
-	EXPECT_LT((best->stand_in_map - robot_in_map).norm(), 0.4);
+	EXPECT_LT((best->stand_in_map - robot_in_map).norm(), 0.6) << "half a metre for a better view";
 	EXPECT_NEAR(best->look.yaw_rad, 0.5 * std::numbers::pi, 0.9);
 }
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "navigation/mission_run.h"
@@ -248,6 +250,29 @@ TEST_F(ToldMission, ARobotThatIsCutOffFromHomeDoesNotSayThatNothingIsLeft)
 	at(m_robot, 0.0);
 	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
 	EXPECT_TRUE(m_mission.goal->reachable);
+}
+
+TEST_F(ToldMission, ARobotThatIsCutOffFromHomeFacesWhatBarsTheWayAndWaits)
+{
+	const Eigen::Vector3d step = (m_robot - m_home) / 10.0;
+	for (int i = 0; i <= 10; ++i) at(m_home + i * step, 0.0);
+	test::DrawnMap divided = roomWith('#');
+	const int column = 6;
+	for (int row = 0; row < divided.rows(); ++row) divided.set(column, row, '#');
+	test::change(m_memory, roomWith('#'), divided);
+	do at(m_robot, m_mission.goal->yaw_rad);
+	while (m_mission.phase == MissionPhase::explore);
+	ASSERT_EQ(m_mission.goal->kind, GoalKind::home);
+	EXPECT_FALSE(m_mission.goal->reachable);
+	const Eigen::Vector3d barred = divided.middleOf(column, 5), stand = m_mission.goal->stand_in_map;
+	EXPECT_GT(stand.x(), barred.x() + 0.8) << "nearer the camera measures nothing";
+	EXPECT_LT(stand.x(), m_robot.x() + 0.1) << "on the way that it came by";
+	EXPECT_NEAR(std::abs(m_mission.goal->yaw_rad), std::numbers::pi, 0.1);
+	for (int second = 0; second < 60; ++second) at(stand, std::numbers::pi);
+	EXPECT_EQ(m_mission.phase, MissionPhase::go_home) << "who stands there may walk on";
+	for (int second = 0; second < 120; ++second) at(stand, std::numbers::pi);
+	EXPECT_EQ(m_mission.phase, MissionPhase::done);
+	EXPECT_FALSE(m_mission.home_reached);
 }
 
 TEST_F(ToldMission, ARobotThatDoesNotMoveAtAllLooksAroundBeforeItTriesAgain)

@@ -1,4 +1,5 @@
 #include <explore/core/geometry.h>
+#include <explore/navigation/coarse_map.h>
 #include <explore/navigation/goal_pick.h>
 #include <explore/navigation/tour.h>
 
@@ -15,6 +16,8 @@ constexpr double kNoWay_m = 1e6;
 /** Of tours that are as long but for this the one is taken whose first place is nearest: on the way to a far one it
  *  would be passed by. */
 constexpr double kTie_m = 0.5;
+/** A tour goes through no more places: those that are left out are far. */
+constexpr std::size_t kMostPlaces = 48;
 
 double costTo(const TravelField& field, CellIndex cell)
 {
@@ -33,31 +36,53 @@ std::vector<std::size_t> nearestTargets(const PickInput& input)
 	std::iota(order.begin(), order.end(), 0U);
 	const auto key = [&](std::size_t i) { return input.current == i ? -1.0 : input.targets[i].travel_m; };
 	std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-	if (order.size() > kMaxTourPlaces) order.resize(kMaxTourPlaces);
+	if (order.size() > kMostPlaces) order.resize(kMostPlaces);
 	return order;
 }
 
+/** On the coarse map: a tour needs the costs from each place to each other. */
 TourCosts costsBetween(const PickInput& input, const std::vector<std::size_t>& places, const RobotConfig& robot,
                        const PlanConfig& config)
 {
-	TourCosts costs;
-	std::vector<CellIndex> ends{input.home};
-	for (const std::size_t i : places) ends.push_back(input.targets[i].look.cell);
-	for (const std::size_t i : places)
+	const int factor = coarseness(input.map, robot, config);
+	const PlanMap coarse = coarsened(input.map, factor);
+	const auto square = [&](CellIndex cell) { return squareOf(input.map, coarse, cell, factor); };
+	const auto look = [&](std::size_t i) -> const Look& { return input.targets[i].look; };
+	std::vector<CellIndex> ends{square(input.home)};
+	for (const std::size_t i : places) ends.push_back(square(look(i).cell));
+	const auto costsFrom = [&](double yaw_rad, const TravelField& field)
 	{
-		const LookTarget& from = input.targets[i];
-		costs.from_robot.push_back(from.travel_m + turnCost(input.yaw_rad, from.look.yaw_rad, config));
-		const TravelField field = travelBetween(input.map, from.look.cell, ends, robot, config);
 		std::vector<double> row;
 		for (const std::size_t j : places)
-		{
-			const Look& to = input.targets[j].look;
-			row.push_back(costTo(field, to.cell) + turnCost(from.look.yaw_rad, to.yaw_rad, config));
-		}
-		costs.between.push_back(std::move(row));
-		costs.to_home.push_back(costTo(field, input.home));
+			row.push_back(costTo(field, square(look(j).cell)) + turnCost(yaw_rad, look(j).yaw_rad, config));
+		return row;
+	};
+	TourCosts costs;
+	costs.from_robot = costsFrom(input.yaw_rad, travelBetween(coarse, square(input.field.start), ends, robot, config));
+	for (const std::size_t i : places)
+	{
+		const TravelField field = travelBetween(coarse, square(look(i).cell), ends, robot, config);
+		costs.between.push_back(costsFrom(look(i).yaw_rad, field));
+		costs.to_home.push_back(costTo(field, ends.front()));
 	}
 	return costs;
+}
+
+/** The index with the least cost among those that `may`; of those that cost as much but for kTie_m the one that is
+ *  nearest to the robot. `tours` if there is none. */
+template <class May>
+std::size_t leastTour(const std::vector<double>& tours, const TourCosts& costs, const May& may)
+{
+	double least_m = std::numeric_limits<double>::infinity();
+	for (std::size_t i = 0; i < tours.size(); ++i)
+		if (may(i)) least_m = std::min(least_m, tours[i]);
+	std::size_t first = tours.size();
+	for (std::size_t i = 0; i < tours.size(); ++i)
+	{
+		if (!may(i) || tours[i] > least_m + kTie_m) continue;
+		if (first == tours.size() || costs.from_robot[i] < costs.from_robot[first]) first = i;
+	}
+	return first;
 }
 }  // namespace
 
@@ -67,17 +92,14 @@ std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const 
 	const std::vector<std::size_t> places = nearestTargets(input);
 	const TourCosts costs = costsBetween(input, places, robot, config);
 	const std::vector<double> tours = toursByFirst(costs);
-	const double best_m = *std::min_element(tours.begin(), tours.end());
+	const std::size_t any = leastTour(tours, costs, [](std::size_t) { return true; });
 	// Cut off from home no tour is better than another: to change between them would end none.
-	if (best_m >= kNoWay_m) return input.current.value_or(nearestTarget(input.targets));
-	if (input.current && places.front() == *input.current && tours.front() < best_m + config.switch_gain_m)
+	if (tours[any] >= kNoWay_m) return input.current.value_or(nearestTarget(input.targets));
+	const auto is_fresh = [&](std::size_t i) { return !input.targets[places[i]].left_lately; };
+	const std::size_t fresh = leastTour(tours, costs, is_fresh);
+	const std::size_t first = fresh != tours.size() && tours[fresh] < tours[any] + config.return_gain_m ? fresh : any;
+	if (input.current && places.front() == *input.current && tours.front() < tours[first] + config.switch_gain_m)
 		return *input.current;
-	std::size_t first = 0;
-	for (std::size_t i = 0; i < places.size(); ++i)
-	{
-		const bool better = tours[first] >= best_m + kTie_m || costs.from_robot[i] < costs.from_robot[first];
-		if (tours[i] < best_m + kTie_m && better) first = i;
-	}
 	return places[first];
 }
 

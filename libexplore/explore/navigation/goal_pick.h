@@ -21,7 +21,7 @@ struct PickInput
 };
 
 /** Index of the target to go for; `targets` must not be empty. The current one is kept unless another first goal makes
- * the tour shorter by switch_gain_m. */
+ *  the tour shorter by switch_gain_m, and one that was left lately comes first only where that saves return_gain_m. */
 std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const PlanConfig& config);
 
 /** Index of the target with the least way. */

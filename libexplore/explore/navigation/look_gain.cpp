@@ -11,6 +11,13 @@ constexpr double kRayStep_rad = 0.052;  // 3°: 21 cm apart at 4 m
 /** What is nearer lies below the image. */
 constexpr double kNearest_m = 0.25;
 
+/** The nearest whole number, for more than -kFar; std::floor is a call into a library on most machines. */
+int rounded(double cells)
+{
+	constexpr int kFar = 1 << 16;
+	return static_cast<int>(cells + (kFar + 0.5)) - kFar;
+}
+
 /** Of one ray, its area a radian of width [m²]. */
 double gainAlong(const PlanMap& map, const Look& look, double azimuth_rad, const PlanConfig& config)
 {
@@ -20,8 +27,8 @@ double gainAlong(const PlanMap& map, const Look& look, double azimuth_rad, const
 	double gain = 0.0, passed_m = 0.0;
 	for (double at_m = kNearest_m; at_m < config.view_range_m && passed_m < config.view_depth_m; at_m += step_m)
 	{
-		const int column = static_cast<int>(std::floor(from.x() + direction.x() * (at_m / step_m) + 0.5));
-		const int row = static_cast<int>(std::floor(from.y() + direction.y() * (at_m / step_m) + 0.5));
+		const int column = rounded(from.x() + direction.x() * (at_m / step_m));
+		const int row = rounded(from.y() + direction.y() * (at_m / step_m));
 		if (column < 0 || row < 0 || column >= map.frame.columns || row >= map.frame.rows) break;
 		const CellIndex cell = map.cellAt({column, row, from.z()});
 		if (map.cells[cell] == CellState::occupied) break;

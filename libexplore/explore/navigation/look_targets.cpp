@@ -10,10 +10,14 @@ namespace explore
 {
 namespace
 {
-/** Places to stand are tried this far apart, and up to this far from a frontier. */
+/** Places to stand are tried this far apart, twice as far around a frontier that is not near the robot, and up to this
+ *  far from a frontier. */
 constexpr int kLattice_cells = 6;
+constexpr double kNear_m = 6.0;
 constexpr double kFarthest_m = 3.0;
-constexpr double kGoodShare = 0.6;
+/** Of what the best place shows a place must show this share; what it shows less counts as way, so much for all of it.
+ */
+constexpr double kGoodShare = 0.3, kLess_m = 3.0;
 /** Metres of way for a metre that a place is too near to things. */
 constexpr double kCrowding = 3.0;
 
@@ -60,12 +64,36 @@ double crowding(const PlanMap& map, CellIndex cell, const PlanConfig& config)
 }
 
 /** The place to look from that costs least. */
-const LookTarget& cheapest(const PlanMap& map, const std::vector<LookTarget>& targets, const PlanConfig& config)
+const LookTarget& cheapest(const PlanMap& map, const std::vector<LookTarget>& targets, double best_gain_m2,
+                           const PlanConfig& config)
 {
 	const auto cost = [&](const LookTarget& target)
-	{ return std::pair(target.travel_m + crowding(map, target.look.cell, config), target.look.cell); };
+	{
+		const double less_m = kLess_m * (1.0 - target.gain_m2 / best_gain_m2);
+		return std::pair(target.travel_m + crowding(map, target.look.cell, config) + less_m, target.look.cell);
+	};
 	return *std::min_element(targets.begin(), targets.end(),
 	                         [&](const LookTarget& a, const LookTarget& b) { return cost(a) < cost(b); });
+}
+
+std::optional<LookTarget> bestOfLattice(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                        int lattice_cells, const PlanConfig& config)
+{
+	std::vector<LookTarget> targets;
+	double best_gain_m2 = 0.0;
+	const auto consider = [&](CellIndex cell)
+	{
+		LookTarget target = targetAt(map, field, cell, frontier);
+		target.gain_m2 = lookGain(map, target.look, config);
+		best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
+		targets.push_back(target);
+	};
+	forEachPlace(map, field, frontier, lattice_cells, consider);
+	if (isNearStart(map, field, frontier, config)) consider(field.start);
+	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
+	std::erase_if(targets, [&](const LookTarget& target)
+	              { return target.gain_m2 < std::max(kGoodShare * best_gain_m2, config.min_gain_m2); });
+	return cheapest(map, targets, best_gain_m2, config);
 }
 }  // namespace
 
@@ -96,21 +124,11 @@ std::vector<WantedFrontier> wantedFrontiers(const PlanMap& map, const std::vecto
 std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
                                    const PlanConfig& config)
 {
-	std::vector<LookTarget> targets;
-	double best_gain_m2 = 0.0;
-	const auto consider = [&](CellIndex cell)
-	{
-		LookTarget target = targetAt(map, field, cell, frontier);
-		target.gain_m2 = lookGain(map, target.look, config);
-		best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
-		targets.push_back(target);
-	};
-	forEachPlace(map, field, frontier, kLattice_cells, consider);
-	if (isNearStart(map, field, frontier, config)) consider(field.start);
-	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
-	std::erase_if(targets, [&](const LookTarget& target)
-	              { return target.gain_m2 < std::max(kGoodShare * best_gain_m2, config.min_gain_m2); });
-	return cheapest(map, targets, config);
+	if (field.start == kNoCell) return std::nullopt;
+	const double away_m = (map.middleOf(field.start) - frontier.middle_in_map).norm();
+	if (away_m > kNear_m)
+		if (const auto rough = bestOfLattice(map, field, frontier, 2 * kLattice_cells, config)) return rough;
+	return bestOfLattice(map, field, frontier, kLattice_cells, config);
 }
 
 std::optional<LookTarget> nearestPlace(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,

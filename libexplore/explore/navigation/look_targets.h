@@ -20,6 +20,7 @@ struct LookTarget
 	double gain_m2 = 0;
 	double travel_m = 0;  ///< from the robot, as TravelField has it
 	bool looks_around = false;
+	bool left_lately = false;  ///< as a goal
 };
 
 /** A frontier as the planner needs it: its cells beside wanted space. */
@@ -31,8 +32,8 @@ struct WantedFrontier
 /** Those of the clusters that have any, in their order. */
 std::vector<WantedFrontier> wantedFrontiers(const PlanMap& map, const std::vector<FrontierCluster>& clusters);
 
-/** The best look at a frontier from where the robot can get: of the places that show at least 60 % of what the best
- * does, the one with the least way and turn. No value: no place shows min_gain_m2. */
+/** The best look at a frontier from where the robot can get: the one with the least way, where what a place shows less
+ *  than the best one counts as way, and so does being near to things. No value: no place shows min_gain_m2. */
 std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
                                    const PlanConfig& config);
 

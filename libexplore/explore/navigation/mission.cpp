@@ -26,6 +26,8 @@ Eigen::Vector3d placeIn(const Eigen::Isometry3d& map_from_robot)
 constexpr double kArrive_rad = 0.14;
 /** How long a goal may take: so many times as long as the way at full speed, and a while to turn and wait. */
 constexpr double kPatience = 4.0, kPatience_s = 30.0;
+/** On the way home that while is longer: there is nothing else to do than to wait until the way is free. */
+constexpr double kPatienceHome_s = 120.0;
 /** Between the places of the trail. */
 constexpr double kTrail_m = 0.1;
 
@@ -91,13 +93,14 @@ MissionGoal goalHome(const Mission& mission, const MissionPlan& plan, const Miss
 {
 	MissionGoal goal;
 	goal.kind = GoalKind::home;
-	goal.stand_in_map = goal.frontier_in_map = placeNearHome(mission, plan);
+	const HomePlace place = homePlace(mission, plan);
+	goal.stand_in_map = goal.frontier_in_map = place.stand_in_map;
+	goal.yaw_rad = place.yaw_rad;
 	goal.reachable = plan.field.reaches(plan.home);
-	goal.yaw_rad = yawIn(*mission.map_from_home);
 	const bool on_its_way = mission.goal && mission.goal->kind == GoalKind::home;
 	goal.chosen_at_s = on_its_way ? mission.goal->chosen_at_s : now.t_s;
 	goal.patience_s =
-	    on_its_way ? mission.goal->patience_s : kPatience_s + kPatience * pathHome(plan) / robot.max_speed_mps;
+	    on_its_way ? mission.goal->patience_s : kPatienceHome_s + kPatience * pathHome(plan) / robot.max_speed_mps;
 	return goal;
 }
 
@@ -105,9 +108,8 @@ MissionGoal goalHome(const Mission& mission, const MissionPlan& plan, const Miss
 void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
                   const RobotConfig& robot, const MissionConfig& config)
 {
-	const auto lately = [&](const LookTarget& target) { return wasLeftLately(mission, target, now.t_s); };
-	const bool unfinished = mission.goal || mission.undone;
-	if (unfinished && !std::ranges::all_of(plan.targets, lately)) std::erase_if(plan.targets, lately);
+	if (mission.goal || mission.undone)
+		for (LookTarget& target : plan.targets) target.left_lately = wasLeftLately(mission, target, now.t_s);
 	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
 	if (mission.goal)
 	{

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/navigation/mission_plan.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@ constexpr int kMaxTries = 2;
 constexpr double kSameGain = 1.3;
 /** A robot that gets no farther than this is boxed in. */
 constexpr double kStep_m = 0.7;
+/** What bars the way is looked at from here: nearer the camera measures nothing. */
+constexpr double kWatch_m = 1.0;
 
 bool wasTried(const Mission& mission, const LookTarget& target)
 {
@@ -36,6 +39,7 @@ std::vector<LookTarget> targetsOf(const MissionPlan& plan, const FrontierMemory&
 	}
 	return looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : targets;
 }
+
 /** Whether the robot can get farther than a step from where it stands. */
 bool findsAWay(const MissionPlan& plan)
 {
@@ -89,21 +93,33 @@ double pathHome(const MissionPlan& plan)
 	return plan.field.reaches(plan.home) ? plan.field.costTo(plan.home) : 0.0;
 }
 
-Eigen::Vector3d placeNearHome(const Mission& mission, const MissionPlan& plan)
+HomePlace homePlace(const Mission& mission, const MissionPlan& plan)
 {
-	Eigen::Vector3d home = mission.map_from_home->translation();
-	if (plan.field.reaches(plan.home)) return home;
-	CellIndex nearest = plan.start;
-	const auto away = [&](CellIndex cell) { return (plan.map.middleOf(cell) - home).squaredNorm(); };
-	for (CellIndex cell = 0; cell < plan.map.cells.size(); ++cell)
-		if (plan.map.passable[cell] != 0 && plan.field.reaches(cell) && away(cell) < away(nearest)) nearest = cell;
-	return plan.map.middleOf(nearest);
+	const Eigen::Isometry3d& home = *mission.map_from_home;
+	if (plan.field.reaches(plan.home)) return {home.translation(), azimuthOf(home.linear().col(0))};
+	const std::vector<Eigen::Vector3d>& trail = mission.trail_in_map;
+	// The trail begins at home, so there is such a place, and ends where the robot is.
+	const auto blocked =
+	    std::find_if_not(trail.rbegin(), trail.rend(),
+	                     [&](const Eigen::Vector3d& place) { return plan.field.reaches(plan.map.cellOf(place)); });
+	const Eigen::Vector3d watched = blocked == trail.rend() ? trail.front() : *blocked;
+	const auto stand = std::find_if(blocked.base(), trail.end(),
+	                                [&](const Eigen::Vector3d& place) { return (place - watched).norm() >= kWatch_m; });
+	HomePlace place;
+	place.stand_in_map = stand == trail.end() ? trail.back() : *stand;
+	place.yaw_rad = azimuthOf(watched - place.stand_in_map);
+	return place;
 }
 
 LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan)
 {
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
-	return {{cell, goal.yaw_rad}, goal.stand_in_map,       goal.frontier_in_map,
-	        goal.gain_m2,         plan.field.costTo(cell), goal.looks_around};
+	return {{cell, goal.yaw_rad},
+	        goal.stand_in_map,
+	        goal.frontier_in_map,
+	        goal.gain_m2,
+	        plan.field.costTo(cell),
+	        goal.looks_around,
+	        false};
 }
 }  // namespace explore

@@ -30,8 +30,16 @@ MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const 
 
 /** Cost of the way home [m]; 0 where none is known. */
 double pathHome(const MissionPlan& plan);
-/** Home, or the place nearest to it that the robot can get to. */
-Eigen::Vector3d placeNearHome(const Mission& mission, const MissionPlan& plan);
+
+/** Where a robot that goes home is to be, and how turned, in the map. */
+struct HomePlace
+{
+	Eigen::Vector3d stand_in_map = Eigen::Vector3d::Zero();
+	double yaw_rad = 0;
+};
+/** Home; while no way leads there a place on the way that the robot came by, from which it faces what has come into
+ * that way since: people move on, and the map has to be shown that they did. */
+HomePlace homePlace(const Mission& mission, const MissionPlan& plan);
 
 /** The goal as one of the targets, with its place and yaw kept. */
 LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan);

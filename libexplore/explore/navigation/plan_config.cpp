@@ -25,6 +25,9 @@ void describe(FieldVisitor& fields, PlanConfig& config)
 	fields.real("home", config.home_m, {0.01, 2.0}, "m", "home is reached within this");
 	fields.real("switch_gain", config.switch_gain_m, {0.0, 100.0}, "m",
 	            "another goal must make the tour so much shorter before the robot leaves its own");
+	fields.real(
+	    "return_gain", config.return_gain_m, {0.0, 1000.0}, "m",
+	    "a goal that the robot left less than 20 s ago must make the tour so much shorter before it comes first again");
 	fields.real("period", config.period_s, {0.05, 60.0}, "s", "between plans while nothing forces one");
 }
 

@@ -22,6 +22,7 @@ struct PlanConfig
 	double arrive_m = 0.15;                 ///< a goal is reached within this
 	double home_m = 0.05;                   ///< home is reached within this
 	double switch_gain_m = 1.5;             ///< a better tour must be this much shorter before the goal is changed
+	double return_gain_m = 5.0;             ///< the same for a goal that was left lately
 	double period_s = 1.0;                  ///< between plans while nothing forces one
 };
 /** [plan] */

@@ -14,11 +14,11 @@ struct TourCosts
 	std::vector<double> to_home;               ///< from each place
 };
 
-/** At most so many places. */
-inline constexpr std::size_t kMaxTourPlaces = 12;
+/** Up to so many places the tours are the cheapest there are. */
+inline constexpr std::size_t kExactTourPlaces = 10;
 
-/** For each place the cost [m] of the cheapest tour that begins there, visits every place once and ends at home;
- *  infinite where no order leads through all. By dynamic programming over subsets (Held & Karp 1962): exact. Throws
- *  std::invalid_argument for more than kMaxTourPlaces. */
+/** For each place the cost [m] of a tour that begins there, visits every place once and ends at home; infinite where no
+ *  order leads through all. Exact for few places, by dynamic programming over subsets (Held & Karp 1962); for more the
+ *  best that nearest neighbours, improved by reversing and moving stretches (Croes 1958, Or 1976), come to. */
 std::vector<double> toursByFirst(const TourCosts& costs);
 }  // namespace explore
