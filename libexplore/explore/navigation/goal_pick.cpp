@@ -50,19 +50,20 @@ TourCosts costsBetween(const PickInput& input, const std::vector<std::size_t>& p
 	const auto look = [&](std::size_t i) -> const Look& { return input.targets[i].look; };
 	std::vector<CellIndex> ends{square(input.home)};
 	for (const std::size_t i : places) ends.push_back(square(look(i).cell));
-	const auto costsFrom = [&](double yaw_rad, const TravelField& field)
+	const auto costs_from = [&](double yaw_rad, const TravelField& field)
 	{
-		std::vector<double> row;
-		for (const std::size_t j : places)
-			row.push_back(costTo(field, square(look(j).cell)) + turnCost(yaw_rad, look(j).yaw_rad, config));
+		std::vector<double> row(places.size());
+		std::transform(places.begin(), places.end(), row.begin(),
+		               [&](std::size_t j)
+		               { return costTo(field, square(look(j).cell)) + turnCost(yaw_rad, look(j).yaw_rad, config); });
 		return row;
 	};
 	TourCosts costs;
-	costs.from_robot = costsFrom(input.yaw_rad, travelBetween(coarse, square(input.field.start), ends, robot, config));
+	costs.from_robot = costs_from(input.yaw_rad, travelBetween(coarse, square(input.field.start), ends, robot, config));
 	for (const std::size_t i : places)
 	{
 		const TravelField field = travelBetween(coarse, square(look(i).cell), ends, robot, config);
-		costs.between.push_back(costsFrom(look(i).yaw_rad, field));
+		costs.between.push_back(costs_from(look(i).yaw_rad, field));
 		costs.to_home.push_back(costTo(field, ends.front()));
 	}
 	return costs;
