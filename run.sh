@@ -13,7 +13,8 @@ demo_packages=(
 	libopenni2-dev pkg-config
 )
 test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common)
-ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev)
+ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev
+	help2man dpkg-dev file lintian bash-completion)
 
 usage()
 {

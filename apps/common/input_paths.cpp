@@ -9,7 +9,11 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> dataFolders(const char* name)
 {
-	return {fs::path(EXPLORE_INSTALLED_DATA_DIR) / name, fs::path(EXPLORE_SOURCE_DIR) / name};
+	std::vector<fs::path> folders{fs::path(EXPLORE_INSTALLED_DATA_DIR) / name};
+#ifdef EXPLORE_SOURCE_DIR
+	folders.push_back(fs::path(EXPLORE_SOURCE_DIR) / name);
+#endif
+	return folders;
 }
 
 std::vector<fs::path> placesOf(const fs::path& name, const fs::path& ini, const std::vector<fs::path>& folders)
