@@ -214,8 +214,10 @@ TEST_F(SteeringInHall, ARobotThatSeesNothingOnItsWayTurnsBackToWhereItCameFromAn
 	EXPECT_EQ(m_mission.blocked.size(), 1U) << "the spot ahead";
 	EXPECT_TRUE(steerAt(at(kStart, 0.5, 101.7)).turns);
 	EXPECT_EQ(m_mission.blocked.size(), 1U) << "once";
+	EXPECT_NEAR(steerAt(at(kStart, -1.0, 101.8)).desired_rad, 0.5 * kPi + 1.0, 1e-9)
+	    << "it does not turn to its goal again, far aside as that may be";
 	noteDecision(m_steering, {}, false, 102.0);
-	EXPECT_FALSE(steerAt(at(kStart, 0.5, 102.1)).turns) << "it sees again";
+	EXPECT_FALSE(steerAt(at(kStart, 0.1, 102.1)).turns) << "it sees again";
 }
 
 TEST_F(SteeringInHall, ARobotThatDrivesAndGetsNowhereBacksOffToo)

@@ -189,7 +189,9 @@ SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& m
 	const Eigen::Vector3d toward = there ? robot_from_map.linear() * facing : robot_from_map * aim.point_in_map;
 	goal.desired_rad = azimuthOf(toward);
 	goal.turns = there || turns(steering, goal.desired_rad, kTurnUntil_rad);
-	if (!goal.turns && mayMoveBlindly(steering, now.t_s)) turnBack(steering, mission, now, goal);
+	// Begun, it is done: a turn toward the next goal would end where it sees nothing again.
+	if ((steering.turning_back || !goal.turns) && mayMoveBlindly(steering, now.t_s))
+		turnBack(steering, mission, now, goal);
 	if (robot.kind == RobotKind::mav && !there)
 		goal.desired_elevation_rad = std::atan2(toward.z(), std::max(0.2, toward.head<2>().norm()));
 	return goal;
