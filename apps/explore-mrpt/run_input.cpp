@@ -4,6 +4,8 @@
 #include <explore-mrpt/run_input.h>
 #include <explore/core/errors.h>
 
+#include <utility>
+
 namespace explore::app
 {
 namespace
@@ -30,6 +32,10 @@ RunInput openOpenni2(const LoadedConfig& loaded, const Options& options, Console
 {
 	SourceConfig source = loaded.config.source;
 	const bool live = source.oni.empty();
+	if (std::exchange(source.openni2.color, false))
+		logger.logStr(mrpt::system::LVL_WARN,
+		              "[openni2] color = true: colour images are kept by explore-rawlog record; this program goes by "
+		              "depth alone and leaves them off");
 	if (!live && options.oni.empty()) source.oni = findOniOfIni(source.oni, loaded.ini).string();
 	const auto input = live ? MountedSource::Input::live : MountedSource::Input::recording;
 	return {mounted(openCamera(source, logger), loaded, logger, input), nullptr, live};

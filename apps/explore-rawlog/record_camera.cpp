@@ -53,7 +53,10 @@ class Log
 {
 public:
 	Log(const CameraRecordOptions& options, const SourceConfig& config)
-	    : m_header(headerFor(options, config)), m_path(options.out), m_seconds(options.seconds)
+	    : m_header(headerFor(options, config)),
+	      m_path(options.out),
+	      m_seconds(options.seconds),
+	      m_color(config.openni2.color)
 	{
 	}
 
@@ -66,6 +69,7 @@ public:
 		m_writer->write(scanOf(raw, time, m_header));
 		m_last = time;
 		++m_frames;
+		if (!raw.color) ++m_without_color;
 		return true;
 	}
 	void close()
@@ -73,6 +77,8 @@ public:
 		if (m_writer) m_writer->close();
 		if (m_frames == 0) return;
 		std::cout << m_path << ": " << m_frames << " frames, " << secondsBetween(m_first, m_last) << " s\n";
+		if (m_color && m_without_color > 0)
+			say("warning: " + std::to_string(m_without_color) + " frames have no colour image: none came with them");
 	}
 	[[nodiscard]] std::size_t frames() const { return m_frames; }
 
@@ -80,8 +86,9 @@ private:
 	ScanHeader m_header;
 	std::string m_path;
 	double m_seconds;
+	bool m_color;
 	std::optional<RawlogWriter> m_writer;
-	std::size_t m_frames = 0;
+	std::size_t m_frames = 0, m_without_color = 0;
 	LogTime m_first, m_last;
 };
 

@@ -18,6 +18,12 @@ extern "C" const char* __asan_default_options()  // NOLINT: AddressSanitizer's n
 	return "detect_leaks=0";
 }
 
+// Also where CTest asks the program for its tests. The programs that tests run get it from the environment.
+extern "C" const char* __tsan_default_options()  // NOLINT: ThreadSanitizer's name
+{
+	return "suppressions=" EXPLORE_SOURCE_DIR "/tests/support/tsan.supp";
+}
+
 namespace explore::test
 {
 VirtualCamera::VirtualCamera(int width_px, int height_px, int frames, double unit_m)
@@ -74,6 +80,11 @@ int VirtualCamera::imageOf(const DepthImage& depth) const
 	return -1;
 }
 
+std::string VirtualCamera::left(const std::string& name) const
+{
+	return readFile(m_folder / name);
+}
+
 SourceConfig VirtualCamera::config() const
 {
 	SourceConfig config;
@@ -102,13 +113,25 @@ void recordOni(const std::filesystem::path& path, int frames, const OniOptions& 
 		openni::Recorder recorder;
 		demand(recorder.create(path.c_str()), "recorder: ");
 		demand(recorder.attach(stream, true), "attach: ");
+		openni::VideoStream color;
+		if (options.color)
+		{
+			demand(color.create(device, openni::SENSOR_COLOR), "create colour: ");
+			demand(color.setMirroringEnabled(options.mirrored), "mirror colour: ");
+			demand(recorder.attach(color, true), "attach colour: ");
+			demand(color.start(), "start colour: ");
+		}
 		demand(stream.start(), "start: ");
 		demand(recorder.start(), "record: ");
 		openni::VideoFrameRef frame;
 		for (int i = 0; i < frames + 5; ++i) demand(stream.readFrame(&frame), "read: ");
+		frame.release();
+		// Streams first: a recorder that is stopped while frames of two streams come may wait for ever.
+		color.stop();
+		stream.stop();
 		recorder.stop();
 		recorder.destroy();
-		stream.stop();
+		color.destroy();
 		stream.destroy();
 		device.close();
 	}

@@ -22,13 +22,17 @@ public:
 	VirtualCamera(const VirtualCamera&) = delete;
 	VirtualCamera& operator=(const VirtualCamera&) = delete;
 
-	/** Sets one line of its control file: plugged, stalled, denied, starts (0 or 1), corrupt (none, size, empty), unit
-	 *  (1mm, 100um), rate_hz. Waits until the driver has surely read it. */
+	/** Sets one line of its control file: plugged, stalled, denied, starts, registers (0 or 1), corrupt (none, size,
+	 *  empty), unit (1mm, 100um), color (rgb, none, yuv, refused, stalled), rate_hz, late_s. Waits until the driver has
+	 *  surely read it. */
 	void set(const std::string& key, const std::string& value);
 
 	[[nodiscard]] const ServedFrames& served() const { return m_served; }
 	/** The number of the image that is all of `depth`; -1 = none of them. */
 	[[nodiscard]] int imageOf(const DepthImage& depth) const;
+	/** What the driver left behind under this name: served, how many depth frames the stream that was stopped last had
+	 *  delivered; registration, the mode that was set last. */
+	[[nodiscard]] std::string left(const std::string& name) const;
 	/** [source] and [openni2] that suit it. */
 	[[nodiscard]] SourceConfig config() const;
 
@@ -44,6 +48,7 @@ private:
 struct OniOptions
 {
 	bool mirrored = false;
+	bool color = false;
 };
 /** Records at least `frames` frames of the virtual camera with OpenNI2's own recorder. */
 void recordOni(const std::filesystem::path& path, int frames, const OniOptions& options = {});

@@ -1,9 +1,11 @@
 #include <OpenNI.h>
 #include <explore/core/errors.h>
+#include <explore/openni2/color_stream.h>
 #include <explore/openni2/depth_stream.h>
+#include <explore/openni2/stream_frame.h>
 
-#include <cmath>
-#include <cstring>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace explore::openni2
@@ -17,69 +19,24 @@ bool isDepth(openni::PixelFormat format)
 	return format == openni::PIXEL_FORMAT_DEPTH_1_MM || format == openni::PIXEL_FORMAT_DEPTH_100_UM;
 }
 
-std::string sizeText(int width, int height)
-{
-	return std::to_string(width) + "x" + std::to_string(height);
-}
-
-std::string modeText(const openni::VideoMode& mode)
-{
-	return sizeText(mode.getResolutionX(), mode.getResolutionY()) + " at " + std::to_string(mode.getFps()) + " Hz";
-}
-
-std::string listOf(const openni::Array<openni::VideoMode>& modes)
-{
-	std::string list;
-	for (int i = 0; i < modes.getSize(); ++i)
-	{
-		const std::string text = modeText(modes[i]);
-		if (isDepth(modes[i].getPixelFormat()) && list.find(text) == std::string::npos)
-			list.append(list.empty() ? "" : ", ").append(text);
-	}
-	return list;
-}
-
 [[noreturn]] void lost(const std::string& what)
 {
 	throw SensorLost(what + ": " + reasonOfFailure());
 }
 
-/** Throws BadFrame unless it holds what its own header says, whole. */
-void demandWhole(const openni::VideoFrameRef& frame)
-{
-	const openni::VideoMode& mode = frame.getVideoMode();
-	const int width = frame.getWidth(), height = frame.getHeight(), row_bytes = frame.getStrideInBytes();
-	if (!isDepth(mode.getPixelFormat())) throw BadFrame("its pixels are no depth of 1 mm or 0.1 mm");
-	if (width < 1 || height < 1 || width != mode.getResolutionX() || height != mode.getResolutionY())
-		throw BadFrame("it has " + sizeText(width, height) + " pixels instead of " +
-		               sizeText(mode.getResolutionX(), mode.getResolutionY()));
-	const std::int64_t needed = static_cast<std::int64_t>(height) * row_bytes;
-	if (row_bytes < width * static_cast<int>(sizeof(std::uint16_t)) || frame.getData() == nullptr ||
-	    frame.getDataSize() < needed)
-		throw BadFrame("it has " + std::to_string(frame.getDataSize()) + " bytes for " + sizeText(width, height) +
-		               " pixels");
-}
-
-std::vector<std::uint16_t> pixelsOf(const openni::VideoFrameRef& frame)
-{
-	const auto width = static_cast<std::size_t>(frame.getWidth()), height = static_cast<std::size_t>(frame.getHeight());
-	std::vector<std::uint16_t> pixels(width * height);
-	const auto* row = static_cast<const char*>(frame.getData());
-	for (std::size_t v = 0; v < height; ++v, row += frame.getStrideInBytes())
-		std::memcpy(&pixels[v * width], row, width * sizeof(std::uint16_t));
-	return pixels;
-}
 }  // namespace
 
 struct DepthStream::Handles
 {
 	openni::Device device;
 	openni::VideoStream stream;
+	std::unique_ptr<ColorStream> color;
 	int last_number = -1;
 
 	Handles() = default;
 	~Handles()
 	{
+		color.reset();
 		stream.stop();
 		stream.destroy();
 		device.close();
@@ -97,7 +54,10 @@ DepthStream::DepthStream(const std::string& uri, Origin origin, Openni2Config co
 	else
 		setUpRecording();
 	m_mirrored = m_handles->stream.getMirroringEnabled();
-	if (m_handles->stream.start() != openni::STATUS_OK) lost(uri + ": its depth stream does not start");
+	m_view = fieldOfView(m_handles->stream);
+	if (m_config.color)
+		m_handles->color = std::make_unique<ColorStream>(m_handles->device, origin == Origin::recording, m_config);
+	start(uri);
 }
 
 DepthStream::~DepthStream() = default;
@@ -109,6 +69,12 @@ void DepthStream::openDevice(const std::string& uri)
 	if (!device.hasSensor(openni::SENSOR_DEPTH)) throw SensorLost(uri + ": has no depth sensor");
 	if (m_handles->stream.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK)
 		lost(uri + ": has no depth stream");
+}
+
+void DepthStream::start(const std::string& uri)
+{
+	if (m_handles->color) m_handles->color->start();
+	if (m_handles->stream.start() != openni::STATUS_OK) lost(uri + ": its depth stream does not start");
 }
 
 void DepthStream::setUpCamera()
@@ -135,7 +101,7 @@ void DepthStream::setMode()
 	    sizeText(m_config.width_px, m_config.height_px) + " at " + std::to_string(m_config.rate_hz) + " Hz";
 	if (best == nullptr)
 		throw ConfigError("[openni2] width_px, height_px, rate_hz: the camera has no depth images of " + asked +
-		                  "; it has " + listOf(modes));
+		                  "; it has " + listOf(modes, isDepth));
 	if (m_handles->stream.setVideoMode(*best) != openni::STATUS_OK) lost("the camera refuses images of " + asked);
 }
 
@@ -162,38 +128,67 @@ void DepthStream::setUpRecording()
 
 CameraIntrinsics DepthStream::intrinsicsFor(int width_px, int height_px) const
 {
-	const auto focal = [](double given_px, int pixels, float fov_rad)
-	{ return given_px > 0.0 ? given_px : pixels / 2.0 / std::tan(static_cast<double>(fov_rad) / 2.0); };
-	const auto center = [](double given_px, int pixels) { return given_px > 0.0 ? given_px : (pixels - 1) / 2.0; };
-	const openni::VideoStream& stream = m_handles->stream;
-	return {width_px,
-	        height_px,
-	        focal(m_config.fx_px, width_px, stream.getHorizontalFieldOfView()),
-	        focal(m_config.fy_px, height_px, stream.getVerticalFieldOfView()),
-	        center(m_config.cx_px, width_px),
-	        center(m_config.cy_px, height_px)};
+	CameraIntrinsics intrinsics = intrinsicsOf(m_view, width_px, height_px);
+	const auto replace = [](double& told_px, double given_px)
+	{
+		if (given_px > 0.0) told_px = given_px;
+	};
+	replace(intrinsics.fx_px, m_config.fx_px);
+	replace(intrinsics.fy_px, m_config.fy_px);
+	replace(intrinsics.cx_px, m_config.cx_px);
+	replace(intrinsics.cy_px, m_config.cy_px);
+	return intrinsics;
+}
+
+bool DepthStream::awaitDepth(std::chrono::milliseconds timeout)
+{
+	using std::chrono::steady_clock;
+	const auto due = steady_clock::now() + timeout;
+	openni::VideoStream* const depth = &m_handles->stream;
+	ColorStream* const color = m_handles->color.get();
+	// The one that was taken first is told first; of two that were taken at once the first one here.
+	std::array<openni::VideoStream*, 2> streams{color != nullptr ? &color->stream() : depth, depth};
+	while (true)
+	{
+		const auto rest = std::chrono::ceil<std::chrono::milliseconds>(due - steady_clock::now());
+		const int rest_ms = static_cast<int>(std::max<std::int64_t>(0, rest.count()));
+		int ready = -1;
+		const openni::Status waited =
+		    openni::OpenNI::waitForAnyStream(streams.data(), color != nullptr ? 2 : 1, &ready, rest_ms);
+		if (waited != openni::STATUS_OK) return false;
+		if (streams.at(static_cast<std::size_t>(ready)) == depth) return true;
+		color->take();
+	}
 }
 
 std::optional<RawDepth> DepthStream::read(std::chrono::milliseconds timeout)
 {
-	openni::VideoStream* stream = &m_handles->stream;
-	int ready = -1;
-	const openni::Status waited =
-	    openni::OpenNI::waitForAnyStream(&stream, 1, &ready, static_cast<int>(timeout.count()));
-	if (waited != openni::STATUS_OK) return std::nullopt;
+	if (!awaitDepth(timeout)) return std::nullopt;
 	openni::VideoFrameRef frame;
-	if (stream->readFrame(&frame) != openni::STATUS_OK || !frame.isValid()) return std::nullopt;
+	if (m_handles->stream.readFrame(&frame) != openni::STATUS_OK || !frame.isValid()) return std::nullopt;
 	RawDepth raw;
 	raw.arrived = mrpt::Clock::now();
 	m_handles->last_number = frame.getFrameIndex();
-	demandWhole(frame);
+	const openni::PixelFormat format = frame.getVideoMode().getPixelFormat();
+	if (!isDepth(format)) throw BadFrame("its pixels are no depth of 1 mm or 0.1 mm");
+	demandWhole(frame, sizeof(std::uint16_t));
 	raw.intrinsics = intrinsicsFor(frame.getWidth(), frame.getHeight());
-	raw.unit_m =
-	    frame.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_1_MM ? kMillimetre_m : kTenthMillimetre_m;
-	raw.depth = pixelsOf(frame);
+	raw.unit_m = format == openni::PIXEL_FORMAT_DEPTH_1_MM ? kMillimetre_m : kTenthMillimetre_m;
+	raw.depth = pixelsOf<std::uint16_t>(frame);
 	if (m_mirrored) unmirror(raw.depth, raw.intrinsics.width_px);
 	raw.device_time_us = frame.getTimestamp();
+	if (m_handles->color) raw.color = colorFor(raw);
 	return raw;
+}
+
+std::optional<ColorImage> DepthStream::colorFor(const RawDepth& raw) const
+{
+	auto color = m_handles->color->imageAt(raw.device_time_us);
+	const auto sizeOf = [](const CameraIntrinsics& camera) { return std::pair(camera.width_px, camera.height_px); };
+	// Registered depth is what the colour camera would measure: through the same lens.
+	if (color && m_config.registration && sizeOf(color->intrinsics) == sizeOf(raw.intrinsics))
+		color->intrinsics = raw.intrinsics;
+	return color;
 }
 
 int DepthStream::frameCount() const

@@ -1,4 +1,5 @@
-// The depth stream of one camera or recording: opened, set up, and read frame by frame.
+// The depth stream of one camera or recording, with its colour stream where that is asked for: opened, set up, and read
+// frame by frame.
 #pragma once
 
 #include <explore/openni2/library.h>
@@ -8,17 +9,10 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace explore::openni2
 {
-/** One frame that is not what the stream said it would be. */
-struct BadFrame : std::runtime_error
-{
-	using std::runtime_error::runtime_error;
-};
-
 class DepthStream
 {
 public:
@@ -27,15 +21,15 @@ public:
 		camera,
 		recording
 	};
-	/** Opens what `uri` names – a camera's URI, a recording's path – and starts its depth stream. Of a camera, size,
-	 *  rate and registration become what `config` asks for. A Library must be there as long as the stream is. Throws
+	/** Opens what `uri` names – a camera's URI, a recording's path – and starts its streams. Of a camera, size, rate
+	 *  and registration become what `config` asks for. A Library must be there as long as the stream is. Throws
 	 *  ConfigError for what the camera does not have, SensorLost for all else, with OpenNI2's reason. */
 	DepthStream(const std::string& uri, Origin origin, Openni2Config config);
 	~DepthStream();
 	DepthStream(const DepthStream&) = delete;
 	DepthStream& operator=(const DepthStream&) = delete;
 
-	/** The next frame; no value when none came in time. Throws BadFrame. */
+	/** The next frame; no value when none came in time. It never waits for its colour image. Throws BadFrame. */
 	std::optional<RawDepth> read(std::chrono::milliseconds timeout);
 	/** Of a recording, as it says itself. */
 	[[nodiscard]] int frameCount() const;
@@ -45,14 +39,18 @@ public:
 private:
 	struct Handles;
 	void openDevice(const std::string& uri);
+	void start(const std::string& uri);
 	void setUpCamera();
 	void setMode();
 	void setRegistration();
 	void setUpRecording();
+	[[nodiscard]] bool awaitDepth(std::chrono::milliseconds timeout);
+	[[nodiscard]] std::optional<ColorImage> colorFor(const RawDepth& raw) const;
 	[[nodiscard]] CameraIntrinsics intrinsicsFor(int width_px, int height_px) const;
 
 	Openni2Config m_config;
 	std::unique_ptr<Handles> m_handles;
 	bool m_mirrored = false;
+	FieldOfView m_view;
 };
 }  // namespace explore::openni2

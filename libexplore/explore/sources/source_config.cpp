@@ -24,6 +24,9 @@ void describeOpenni2(FieldVisitor& fields, Openni2Config& openni2)
 	               "Of the depth images; a recording has its own size.");
 	fields.integer("height_px", openni2.height_px, {16, 4096}, "px", "See width_px.");
 	fields.integer("rate_hz", openni2.rate_hz, {1, 1000}, "Hz", "Depth images a second; a recording has its own.");
+	fields.flag("color", openni2.color,
+	            "explore-rawlog record keeps colour images beside the depth, of its size and rate where the camera has "
+	            "such; explore-mrpt goes by depth alone, and leaves the colour camera off.");
 	fields.flag("registration", openni2.registration,
 	            "Depth as seen from the colour camera, where the camera can do that; fx to cy are then that one's.");
 	fields.real("fx", openni2.fx_px, kFocal_px, "px",

@@ -67,6 +67,7 @@ struct Openni2Config
 {
 	std::string device;  ///< index in the list of devices, serial number or URI; empty = the first
 	int width_px = 640, height_px = 480, rate_hz = 30;
+	bool color = false;                                 ///< colour images beside the depth
 	bool registration = false;                          ///< depth as the colour camera would see it
 	double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;  ///< 0 = from the field of view that the camera tells
 	double lost_after_s = 10;

@@ -1,6 +1,7 @@
 // The images that the virtual camera serves, as a test leaves them for its driver.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -17,6 +18,20 @@ struct ServedFrames
 	double fx_px = 0, fy_px = 0;
 	std::vector<std::vector<std::uint16_t>> images;
 };
+
+/** What the colour camera shows of depth image `image` in this column of `columns`: another colour on the left than on
+ *  the right, and a blue that tells the image. */
+inline std::array<std::uint8_t, 3> servedColor(std::size_t image, std::size_t images, int column, int columns)
+{
+	const auto blue = static_cast<std::uint8_t>(10 + 236 * (image % images) / images);
+	if (2 * column < columns) return {220, 40, blue};
+	return {40, 220, blue};
+}
+/** The image that this blue tells, but for what compression does to it. */
+inline double imageOfBlue(double blue, std::size_t images)
+{
+	return (blue - 10.0) * static_cast<double>(images) / 236.0;
+}
 
 inline void writeServedFrames(const std::filesystem::path& path, const ServedFrames& frames)
 {
