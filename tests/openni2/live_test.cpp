@@ -1,5 +1,6 @@
 #include "openni2/virtual_camera.h"
 
+#include <OpenNI.h>
 #include <explore/core/errors.h>
 #include <explore/openni2/openni2_source.h>
 #include <gmock/gmock.h>
@@ -126,6 +127,23 @@ TEST(HostTime, FollowsTheLeastDelayAndADriftingClock)
 	EXPECT_LT(worst_s, 0.007);
 }
 
+TEST(HostTime, BeginsAnewAfterASecondOfLateFramesForTheClockWasSetBack)
+{
+	HostTime clock;
+	const auto start = mrpt::Clock::fromDouble(1'500'000'000.0);
+	const auto delay_s = [&](int i, double set_back_s)
+	{
+		RawDepth raw;
+		raw.device_time_us = static_cast<std::uint64_t>(7e6 + 1e6 * (i / 30.0 - set_back_s));
+		raw.arrived = start + std::chrono::milliseconds(i * 1000 / 30);
+		return mrpt::Clock::toDouble(raw.arrived) - mrpt::Clock::toDouble(clock.taken(raw));
+	};
+	for (int i = 0; i < 30; ++i) EXPECT_NEAR(delay_s(i, 0.0), 0.0, 0.002);
+	// Who knows whether they are late: for a second they are held to be.
+	for (int i = 30; i < 60; ++i) EXPECT_NEAR(delay_s(i, 0.4), 0.4, 0.01) << i;
+	for (int i = 63; i < 120; ++i) EXPECT_NEAR(delay_s(i, 0.4), 0.0, 0.01) << i;
+}
+
 TEST(Live, TakesTheLatestFrameAndCountsTheOthers)
 {
 	VirtualCamera camera;
@@ -142,6 +160,46 @@ TEST(Live, TakesTheLatestFrameAndCountsTheOthers)
 	EXPECT_GE(source.report().dropped_frames, 5U);
 	ASSERT_TRUE(source.report().oldest_frame_ms);
 	EXPECT_LT(*source.report().oldest_frame_ms, 100.0) << "what waited gave way to what came";
+}
+
+TEST(Live, UsesNoFrameThatComesLaterThanATenthOfASecond)
+{
+	VirtualCamera camera;
+	Log log;
+	Openni2Source source(camera.config(), log);
+	for (int i = 0; i < 20; ++i) ASSERT_TRUE(nextImage(source));
+	const std::size_t dropped = source.report().dropped_frames;
+	camera.set("late_s", "0.2");
+	const auto late_since = std::chrono::steady_clock::now();
+	ASSERT_TRUE(becomesEmpty(source)) << "the robot stops";
+	EXPECT_GE(source.report().dropped_frames, dropped + 3);
+	const auto frame = nextImage(source);
+	ASSERT_TRUE(frame) << "all of them being late, it is the clock";
+	EXPECT_GT(std::chrono::steady_clock::now() - late_since, 800ms);
+	EXPECT_LE(source.report().oldest_frame_ms.value_or(1e6), 100.0);
+}
+
+TEST(Live, EveryFrameIsUsedOrCounted)
+{
+	VirtualCamera camera;
+	camera.set("rate_hz", "100");
+	Log log;
+	std::size_t counted = 0;
+	{
+		Openni2Source source(camera.config(), log);
+		for (int i = 0; i < 10; ++i)
+		{
+			source.next();
+			std::this_thread::sleep_for(30ms * i);
+		}
+		const SourceReport report = source.report();
+		counted = report.frames - report.away_frames + report.dropped_frames;
+	}
+	// One may wait for its turn, one be on its way to there, and one come after the counting.
+	const auto served = std::stoul(camera.left("served"));
+	EXPECT_LE(counted, served);
+	EXPECT_LE(served, counted + 5);
+	EXPECT_GT(counted, 100U);
 }
 
 TEST(Live, CountsTenthsOfMillimetres)
@@ -217,9 +275,22 @@ TEST(Live, SaysWhichSizesTheCameraHas)
 	Log log;
 	EXPECT_THROW(Openni2Source(config, log), ConfigError);
 	EXPECT_THAT(startError(config), HasSubstr("160x120 at 30 Hz"));
-	config = camera.config();
+}
+
+TEST(Live, RegistersDepthWhereTheCameraCanAndSaysWhereItCannot)
+{
+	VirtualCamera camera;
+	SourceConfig config = camera.config();
 	config.openni2.registration = true;
+	Log log;
 	EXPECT_THROW(Openni2Source(config, log), ConfigError);
+	EXPECT_THAT(startError(config), HasSubstr("[openni2] registration = true: the camera cannot do that"));
+	camera.set("registers", "1");
+	EXPECT_EQ(startError(config), "");
+	EXPECT_EQ(camera.left("registration"), std::to_string(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR));
+	config.openni2.registration = false;
+	EXPECT_EQ(startError(config), "");
+	EXPECT_EQ(camera.left("registration"), std::to_string(openni::IMAGE_REGISTRATION_OFF));
 }
 
 TEST(Live, ComesBackAfterItWasUnplugged)

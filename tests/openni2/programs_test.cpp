@@ -7,10 +7,13 @@
 #include <explore/sources/rawlog_source.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mrpt/obs/CRawlog.h>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <iostream>
 #include <thread>
 
 using namespace explore;
@@ -264,6 +267,103 @@ TEST(CameraPrograms, RecordTheCamera)
 	}
 	EXPECT_GE(frames, 10);
 	EXPECT_LE(frames, 31);
+}
+
+TEST(CameraPrograms, RecordColourWhenAsked)
+{
+	VirtualCamera camera(160, 120, 20);
+	const auto oni = (testFolder() / "camera.oni").string(), log = (testFolder() / "camera.rawlog").string();
+	recordOni(oni, 20, {.color = true});
+	const Arguments asked{"--set", "openni2.color=true", "--out", log};
+	Arguments of_file{"record", "--oni", oni}, of_camera = withCamera({"record", "--openni2", "--seconds", "1"});
+	for (Arguments* arguments : {&of_file, &of_camera})
+	{
+		arguments->insert(arguments->end(), asked.begin(), asked.end());
+		const ProgramResult result = exploreRawlog(*arguments);
+		ASSERT_EQ(result.exit_code, 0) << result.err;
+		mrpt::obs::CRawlog rawlog;
+		ASSERT_TRUE(rawlog.loadFromRawLogFile(log));
+		std::size_t frames = 0, with_color = 0;
+		for (const auto& entry : rawlog)
+		{
+			const auto scan = std::dynamic_pointer_cast<mrpt::obs::CObservation3DRangeScan>(entry);
+			ASSERT_TRUE(scan);
+			++frames;
+			if (!scan->hasIntensityImage) continue;
+			++with_color;
+			EXPECT_EQ(scan->intensityImageChannel, mrpt::obs::CObservation3DRangeScan::CH_VISIBLE);
+			ASSERT_EQ(scan->intensityImage.getWidth(), 160U);
+			ASSERT_EQ(scan->intensityImage.getHeight(), 120U);
+			// Red to the left, green to the right, but for what compression does to them; OpenCV's order.
+			EXPECT_GT(scan->intensityImage.at<std::uint8_t>(40, 60, 2), 180);
+			EXPECT_GT(scan->intensityImage.at<std::uint8_t>(120, 60, 1), 180);
+			const double blue = scan->intensityImage.at<std::uint8_t>(40, 60, 0);
+			const auto depth =
+			    std::ranges::find_if(camera.served().images, [&](const auto& image)
+			                         { return std::equal(image.begin(), image.end(), scan->rangeImage.data()); });
+			ASSERT_NE(depth, camera.served().images.end());
+			const auto number = static_cast<double>(depth - camera.served().images.begin());
+			EXPECT_LT(std::abs(std::remainder(number - imageOfBlue(blue, 20), 20.0)), 1.6);
+		}
+		EXPECT_GE(frames, 8U);
+		EXPECT_GE(2 * with_color, frames);
+		EXPECT_EQ(result.err.find("no colour image") != std::string::npos, with_color < frames) << result.err;
+	}
+	camera.set("color", "none");
+	const ProgramResult refused = exploreRawlog(of_camera);
+	EXPECT_EQ(refused.exit_code, 2);
+	EXPECT_THAT(refused.err, HasSubstr("[openni2] color = true: the camera has no colour images"));
+}
+
+TEST(CameraPrograms, ExploreByDepthAloneAndSaySo)
+{
+	VirtualCamera camera;
+	camera.set("color", "none");
+	Arguments arguments = explored(testFolder() / "out");
+	arguments.insert(arguments.end(), {"--max-frames", "3", "--set", "openni2.color=true"});
+	const ProgramResult result = exploreMrpt(arguments);
+	EXPECT_EQ(result.exit_code, 0) << result.err;
+	EXPECT_THAT(result.err, HasSubstr("goes by depth alone"));
+}
+
+/** A minute in real time; what is asked for holds on a machine of any speed. */
+TEST(CameraPrograms, AMinuteOfVgaAtThirtyHertz)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+	GTEST_SKIP() << "a test of timing: not with a sanitizer";
+#endif
+	const VirtualCamera camera(640, 480, 30);
+	const auto out = testFolder() / "out";
+	Arguments arguments{"--out", out.string(), "--quiet"};
+	for (const char* setting :
+	     {"source.kind=openni2", "camera.mount=ini", "camera.pose_z=0.5", "output.pictures_every=0"})
+		arguments.insert(arguments.end(), {"--set", setting});
+	const double before = mrpt::Clock::nowDouble();
+	Program program(EXPLORE_MRPT_PROGRAM, arguments, {});
+	ASSERT_TRUE(grows(out / "frames.jsonl", 1));
+	std::this_thread::sleep_for(60s);
+	program.signal(SIGINT);
+	const ProgramResult result = program.wait();
+	EXPECT_EQ(result.exit_code, 130) << result.err;
+	const double after = mrpt::Clock::nowDouble();
+
+	const nlohmann::json source = summaryOf(out)["source"];
+	const std::string figures = source.dump();
+	EXPECT_LE(source["oldest_frame_ms"], 100.0) << figures;
+	const auto frames = frameLines(out);
+	ASSERT_FALSE(frames.empty());
+	EXPECT_GE(frames.front()["t"], before);
+	EXPECT_LE(frames.back()["t"], after);
+	const std::size_t away = source["away_frames"], used = frames.size() - away, dropped = source["dropped_frames"];
+	const std::size_t served = std::stoul(camera.left("served"));
+	EXPECT_GE(served, 1700U) << "a minute of 30 Hz";
+	EXPECT_GE(dropped, 10U) << "those that the mount was judged by";
+	// All but what was still on its way at the end.
+	EXPECT_LE(used + dropped, served) << figures;
+	EXPECT_GE(used + dropped + 5, served) << figures;
+	RecordProperty("used", static_cast<int>(used));
+	RecordProperty("oldest_frame_ms", source["oldest_frame_ms"].dump());
+	std::cout << used << " of " << served << " frames used, " << figures << '\n';
 }
 
 TEST(CameraPrograms, RecordUntilTheyAreInterrupted)

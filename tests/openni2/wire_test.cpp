@@ -71,7 +71,7 @@ TEST(Wire, ARobotInAnotherProcessExploresToTheEndAndComesHome)
 	EXPECT_TRUE(exploration["complete"]) << exploration["reason"];
 	const json truth = json::parse(readFile(folder / "truth.json"));
 	EXPECT_EQ(truth["collisions"], 0) << truth;
-	EXPECT_LT(truth["from_start_m"], 0.15) << truth;
+	EXPECT_LT(truth["from_start_m"], 0.10) << truth;
 	EXPECT_GT(truth["coverage"], 0.97) << truth;
 	EXPECT_GT(truth["commands"], 10.0 * truth["t_s"].get<double>()) << truth;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
 namespace explore::openni2
 {
@@ -76,8 +77,12 @@ public:
 			const std::string end = m_stream ? deliver() : "";
 			m_stream.reset();
 			if (m_mailbox.stopping()) return;
-			if (!end.empty()) m_mailbox.lose();
-			if (!end.empty()) tellOnce(m_uri + ": " + end + "; trying to open it again");
+			if (!end.empty())
+			{
+				// Who learns of the loss finds out why.
+				tellOnce(m_uri + ": " + end + "; trying to open it again");
+				m_mailbox.lose();
+			}
 			rest();
 			tryToOpen();
 		}
@@ -89,6 +94,7 @@ private:
 		m_uri = chooseDevice(m_config.device);
 		m_events.watch(m_uri);
 		m_stream = std::make_unique<DepthStream>(m_uri, DepthStream::Origin::camera, m_config);
+		m_number.reset();
 		++m_connection;
 	}
 	void tryToOpen()
@@ -138,10 +144,18 @@ private:
 				objection = error.what();
 				m_mailbox.discard();
 			}
+			countGap();
 			if (steady_clock::now() - heard > kSilence)
 				return objection.empty() ? "no frame for 1 s" : "no usable frame for 1 s: " + objection;
 		}
 		return "";
+	}
+	/** OpenNI2 keeps one frame: of those that come faster than they are read, the numbers alone tell. */
+	void countGap()
+	{
+		const int number = m_stream->frameNumber();
+		if (m_number && number > *m_number + 1) m_mailbox.miss(static_cast<std::size_t>(number - *m_number - 1));
+		if (number >= 0) m_number = number;
 	}
 	void arrive(RawDepth frame)
 	{
@@ -164,6 +178,7 @@ private:
 	std::unique_ptr<DepthStream> m_stream;
 	std::string m_uri;
 	int m_connection = 0;
+	std::optional<int> m_number;  ///< of the last frame of this connection
 	std::chrono::milliseconds m_wait = kFirstWait;
 	std::vector<std::string> m_told;
 	steady_clock::time_point m_delivered = steady_clock::now();

@@ -22,6 +22,8 @@ public:
 
 	/** Masked and corrected. No value, but a warning and a count, for one that cannot be used. Throws ConfigError. */
 	std::optional<DepthFrame> make(const RawDepth& raw, mrpt::Clock::time_point time);
+	/** Takes back the frame that was made last: nobody is given it. */
+	void takeBack() { --m_report.frames; }
 	/** Says that there is none: neither image nor points. */
 	DepthFrame makeEmpty(mrpt::Clock::time_point time);
 	/** Counts a frame that cannot be used, and says why, once each. */

@@ -29,6 +29,12 @@ public:
 		m_heard = std::chrono::steady_clock::now();
 		m_changed.notify_all();
 	}
+	/** Frames that the camera took and this machine never got. */
+	void miss(std::size_t frames)
+	{
+		const std::lock_guard lock(m_mutex);
+		m_dropped += frames;
+	}
 	void discard()
 	{
 		const std::lock_guard lock(m_mutex);

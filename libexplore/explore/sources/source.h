@@ -19,8 +19,8 @@ struct SourceReport
 	std::string kind, path;
 	std::size_t frames = 0;          ///< delivered
 	std::size_t skipped_frames = 0;  ///< observations that could not be used (missing external image, no range data)
-	std::size_t dropped_frames = 0;  ///< of a live camera: came while the one before was at work
-	/** Live camera: how long the oldest frame had been there when it was delivered. */
+	std::size_t dropped_frames = 0;  ///< of a live camera: came while the one before was at work, or too late
+	/** Live camera: the greatest age that a frame had when it was delivered. */
 	std::optional<double> oldest_frame_ms;
 	std::size_t away_frames = 0;   ///< delivered without image or points, a live camera being away
 	std::uint64_t lost_bytes = 0;  ///< input after the damage that could not be read
