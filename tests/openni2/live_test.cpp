@@ -301,7 +301,8 @@ TEST(Live, ComesBackAfterItWasUnplugged)
 	const auto before = nextImage(source);
 	ASSERT_TRUE(before);
 	camera.set("plugged", "0");
-	ASSERT_TRUE(becomesEmpty(source));
+	// On a busy machine there is nothing to see for half a second before the loss is noticed.
+	for (int i = 0; i < 20 && log.all.empty(); ++i) ASSERT_TRUE(becomesEmpty(source));
 	EXPECT_THAT(log.all, HasSubstr("was unplugged"));
 	const auto asked = std::chrono::steady_clock::now();
 	const auto empty = source.next();
@@ -322,6 +323,9 @@ TEST(Live, ComesBackAfterItWasUnplugged)
 
 TEST(Live, SaysAtOnceThatItWasUnplugged)
 {
+#ifdef __SANITIZE_THREAD__
+	GTEST_SKIP() << "a test of timing";
+#endif
 	VirtualCamera camera;
 	Log log;
 	Openni2Source source(camera.config(), log);

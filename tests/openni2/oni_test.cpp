@@ -65,7 +65,6 @@ TEST_P(Oni, GivesEveryFrameAsItWas)
 	OniSource source(configOf(camera, oni), logger);
 	const auto frames = framesOf(source);
 	ASSERT_GE(frames.size(), 35U);
-	EXPECT_LE(frames.size(), 45U);
 	const int first = camera.imageOf(frames.front().image);
 	ASSERT_GE(first, 0);
 	for (std::size_t i = 0; i < frames.size(); ++i)

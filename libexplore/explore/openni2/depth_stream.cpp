@@ -184,9 +184,9 @@ std::optional<RawDepth> DepthStream::read(std::chrono::milliseconds timeout)
 std::optional<ColorImage> DepthStream::colorFor(const RawDepth& raw) const
 {
 	auto color = m_handles->color->imageAt(raw.device_time_us);
-	const auto sizeOf = [](const CameraIntrinsics& camera) { return std::pair(camera.width_px, camera.height_px); };
+	const auto size_of = [](const CameraIntrinsics& camera) { return std::pair(camera.width_px, camera.height_px); };
 	// Registered depth is what the colour camera would measure: through the same lens.
-	if (color && m_config.registration && sizeOf(color->intrinsics) == sizeOf(raw.intrinsics))
+	if (color && m_config.registration && size_of(color->intrinsics) == size_of(raw.intrinsics))
 		color->intrinsics = raw.intrinsics;
 	return color;
 }
