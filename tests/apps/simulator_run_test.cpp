@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -29,32 +30,47 @@ json summaryIn(const fs::path& out)
 	return json::parse(readFile(out / "summary.json"));
 }
 
-/** x of every line of a TUM file. */
-std::vector<double> xIn(const fs::path& tum)
+struct Place
 {
-	std::vector<double> x;
+	double x;
+	double y;
+};
+
+/** Where every line of a TUM file is. */
+std::vector<Place> placesIn(const fs::path& tum)
+{
+	std::vector<Place> places;
 	for (const std::string& line : linesOf(readFile(tum)))
 	{
 		std::istringstream words(line);
 		double t_s = 0;
-		words >> t_s >> x.emplace_back();
+		Place& place = places.emplace_back();
+		words >> t_s >> place.x >> place.y;
 	}
-	return x;
+	return places;
+}
+
+double lengthOf(const std::vector<Place>& path)
+{
+	double length = 0;
+	for (std::size_t i = 1; i < path.size(); i++)
+		length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+	return length;
 }
 }  // namespace
 
 TEST(SimulatorRun, DrivesDownTheCorridorAndLeavesItsTruth)
 {
 	const auto out = freshFolder() / "o";
-	const auto result = inCorridor(out, {"--max-frames", "140"});
+	const auto result = inCorridor(out, {"--max-frames", "210"});
 	ASSERT_EQ(result.exit_code, 0) << result.err;
-	EXPECT_EQ(linesOf(readFile(out / "frames.jsonl")).size(), 140U);
+	EXPECT_EQ(linesOf(readFile(out / "frames.jsonl")).size(), 210U);
 	// The pose is exact unless the ini says otherwise.
 	EXPECT_EQ(readFile(out / "truth.tum"), readFile(out / "trajectory.tum"));
-	const auto x = xIn(out / "truth.tum");
-	ASSERT_EQ(x.size(), 140U);
-	EXPECT_NEAR(x.front(), 0.8, 1e-6) << "the world's first spawn";
-	EXPECT_GT(x.back(), 1.5) << "14 s, of which it looks around for some";
+	const auto path = placesIn(out / "truth.tum");
+	ASSERT_EQ(path.size(), 210U);
+	EXPECT_NEAR(path.front().x, 0.8, 1e-6) << "the world's first spawn";
+	EXPECT_GT(path.back().x, 1.5) << "21 s, of which it looks around for some";
 
 	const json summary = summaryIn(out);
 	EXPECT_EQ(summary["source"]["kind"], "simulator");
@@ -62,7 +78,7 @@ TEST(SimulatorRun, DrivesDownTheCorridorAndLeavesItsTruth)
 	EXPECT_EQ(summary["exploration"]["reason"], "max frames");
 	EXPECT_EQ(summary["truth"]["collisions"], 0);
 	EXPECT_GT(summary["truth"]["min_clearance_m"].get<double>(), 0.05);
-	EXPECT_NEAR(summary["truth"]["path_m"].get<double>(), x.back() - x.front(), 0.2);
+	EXPECT_NEAR(summary["truth"]["path_m"].get<double>(), lengthOf(path), 0.01);
 	EXPECT_GT(summary["truth"]["reachable_m2"].get<double>(), 50.0);
 	EXPECT_THAT(result.out, HasSubstr("0 collisions"));
 }
@@ -72,9 +88,9 @@ TEST(SimulatorRun, ThePapersPolicyDrivesToo)
 	const auto out = freshFolder() / "o";
 	const auto result = inCorridor(out, {"--max-frames", "60", "--set", "goal.policy=paper"});
 	ASSERT_EQ(result.exit_code, 0) << result.err;
-	const auto x = xIn(out / "truth.tum");
-	ASSERT_EQ(x.size(), 60U);
-	EXPECT_GT(x.back(), 1.3) << "it began at 0.8, with nothing but its first view on the map";
+	const auto path = placesIn(out / "truth.tum");
+	ASSERT_EQ(path.size(), 60U);
+	EXPECT_GT(path.back().x, 1.3) << "it began at 0.8, with nothing but its first view on the map";
 	EXPECT_EQ(summaryIn(out)["truth"]["collisions"], 0);
 }
 
@@ -98,7 +114,7 @@ TEST(SimulatorRun, OdometryDriftsFromTheTruth)
 	const auto out = freshFolder() / "o";
 	ASSERT_EQ(inCorridor(out, {"--max-frames", "40", "--set", "simulator.pose=odometry"}).exit_code, 0);
 	EXPECT_NE(readFile(out / "truth.tum"), readFile(out / "trajectory.tum"));
-	EXPECT_NEAR(xIn(out / "truth.tum").back(), xIn(out / "trajectory.tum").back(), 0.2);
+	EXPECT_NEAR(placesIn(out / "truth.tum").back().x, placesIn(out / "trajectory.tum").back().x, 0.2);
 	EXPECT_EQ(summaryIn(out)["source"]["pose_from"], "odometry");
 }
 
@@ -144,7 +160,7 @@ TEST(SimulatorRun, StartsWhereItIsTold)
 {
 	const auto out = freshFolder() / "o";
 	ASSERT_EQ(inCorridor(out, {"--max-frames", "1", "--set", "simulator.start=lobby"}).exit_code, 0);
-	EXPECT_NEAR(xIn(out / "truth.tum").front(), 13.0, 1e-6);
+	EXPECT_NEAR(placesIn(out / "truth.tum").front().x, 13.0, 1e-6);
 	const auto nowhere = inCorridor(out, {"--set", "simulator.start=attic"});
 	EXPECT_EQ(nowhere.exit_code, 2);
 	EXPECT_THAT(nowhere.err, AllOf(HasSubstr("attic"), HasSubstr("lobby")));
