@@ -12,9 +12,11 @@ function(install_part name)
   foreach(layer ${ARGN})
     if(TARGET explore_${layer})
       set_target_properties(explore_${layer} PROPERTIES EXPORT_NAME ${layer})
-      install(DIRECTORY explore/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/explore COMPONENT dev
-        FILES_MATCHING PATTERN "*.h")
       list(APPEND built explore_${layer})
+      if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/explore/${layer})  # or it shares another layer's
+        install(DIRECTORY explore/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/explore COMPONENT dev
+          FILES_MATCHING PATTERN "*.h")
+      endif()
     endif()
   endforeach()
   if(built)
@@ -24,7 +26,7 @@ function(install_part name)
 endfunction()
 
 install_part(library ${EXPLORE_LIBRARY_LAYERS})
-install_part(files sinks evaluation)
+install_part(files robot_link sinks evaluation)
 install_part(simulation simulation)
 install_part(openni2 openni2)
 
