@@ -37,16 +37,6 @@ std::vector<std::pair<std::string, std::size_t>> namesOf(const std::vector<LogSc
 }
 }  // namespace
 
-TEST(Base64, AsTheStandardsExamples)
-{
-	EXPECT_EQ(base64(""), "");
-	EXPECT_EQ(base64("f"), "Zg==");
-	EXPECT_EQ(base64("fo"), "Zm8=");
-	EXPECT_EQ(base64("foo"), "Zm9v");
-	EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-	EXPECT_EQ(base64(std::string("\xFF\x00\xFE", 3)), "/wD+");
-}
-
 TEST(Page, EscapesWhatItShowsAndStaysSmall)
 {
 	Evaluation evaluation;

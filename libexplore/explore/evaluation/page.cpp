@@ -1,5 +1,6 @@
 #include <explore/evaluation/page.h>
 #include <explore/evaluation/reliability_diagram.h>
+#include <explore/sinks/html_text.h>
 
 namespace explore::evaluation
 {
@@ -20,34 +21,15 @@ img { max-width: 100%; height: auto; display: block; }
 .key i { display: inline-block; width: 18px; height: 5px; margin-right: 6px; vertical-align: middle; }
 )";
 
-std::string escaped(const std::string& text)
-{
-	std::string result;
-	for (const char c : text)
-	{
-		if (c == '&')
-			result += "&amp;";
-		else if (c == '<')
-			result += "&lt;";
-		else if (c == '>')
-			result += "&gt;";
-		else if (c == '"')
-			result += "&quot;";
-		else
-			result += c;
-	}
-	return result;
-}
-
 std::string figureText(const Evaluation& evaluation, const PagePicture& picture)
 {
 	const LogScore& log = evaluation.logs.at(picture.selected.log);
 	const WorstFrame& frame = picture.selected.frame;
-	std::string text = "<figure>\n<figcaption><h3>" + escaped(log.log) + ", frame " + std::to_string(frame.frame) +
+	std::string text = "<figure>\n<figcaption><h3>" + escapedHtml(log.log) + ", frame " + std::to_string(frame.frame) +
 	                   ", scene " + std::to_string(frame.scene) + "</h3>\n<p>";
-	text += escaped(log.family.empty() ? log.world : log.family) + ", " + escaped(log.platform) + ", noise " +
-	        escaped(log.noise) + "</p>\n<ul>\n";
-	for (const std::string& remark : frame.remarks) text += "<li>" + escaped(remark) + "</li>\n";
+	text += escapedHtml(log.family.empty() ? log.world : log.family) + ", " + escapedHtml(log.platform) + ", noise " +
+	        escapedHtml(log.noise) + "</p>\n<ul>\n";
+	for (const std::string& remark : frame.remarks) text += "<li>" + escapedHtml(remark) + "</li>\n";
 	text += "</ul></figcaption>\n<img alt=\"depth image and plan of frame " + std::to_string(frame.frame) +
 	        "\" src=\"data:image/jpeg;base64,";
 	return text.append(base64(picture.jpeg)).append("\">\n</figure>\n");
@@ -62,22 +44,6 @@ std::string setupText(const EvalSetup& setup)
 }
 }  // namespace
 
-std::string base64(const std::string& bytes)
-{
-	static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-	std::string text;
-	text.reserve((bytes.size() + 2) / 3 * 4);
-	for (std::size_t i = 0; i < bytes.size(); i += 3)
-	{
-		std::uint32_t group = 0;
-		for (std::size_t j = 0; j < 3; ++j)
-			group = (group << 8U) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-		for (std::size_t j = 0; j < 4; ++j)
-			text += i + j <= bytes.size() ? kDigits[(group >> (18U - 6U * j)) & 63U] : '=';
-	}
-	return text;
-}
-
 std::string pageText(const Evaluation& evaluation, const PageTables& tables, const std::vector<PagePicture>& pictures)
 {
 	std::string text =
@@ -86,7 +52,7 @@ std::string pageText(const Evaluation& evaluation, const PageTables& tables, con
 	    "<title>explore-eval</title>\n<style>";
 	text += kStyle;
 	text += "</style>\n</head>\n<body>\n<h1>Doors, directions and headings against the truth</h1>\n<p>" +
-	        escaped(setupText(evaluation.setup)) + "</p>\n<pre>" + escaped(tables.text) + "</pre>\n";
+	        escapedHtml(setupText(evaluation.setup)) + "</p>\n<pre>" + escapedHtml(tables.text) + "</pre>\n";
 	if (!tables.reliability.empty()) text += "<h2>Confidences</h2>\n" + reliabilitySvg(tables.reliability);
 	text +=
 	    "<h2>The worst frames</h2>\n<p class=\"key\"><span><i style=\"background:#f05446\"></i>reported</span>"

@@ -25,7 +25,4 @@ struct PageTables
 
 /** `pictures`, the worst first, are shown as long as the page stays below 15 MB. */
 std::string pageText(const Evaluation& evaluation, const PageTables& tables, const std::vector<PagePicture>& pictures);
-
-/** RFC 4648, with padding. */
-std::string base64(const std::string& bytes);
 }  // namespace explore::evaluation

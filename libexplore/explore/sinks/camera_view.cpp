@@ -1,20 +1,17 @@
+#include <explore/sinks/camera_projection.h>
 #include <explore/sinks/camera_view.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace explore
 {
 namespace
 {
-constexpr double kNear_m = 0.15;  // lines are cut off here, in front of the camera
-
 /** Robot-frame points to canvas pixels. */
 class View
 {
 public:
-	View(const DepthFrame& frame, const CanvasArea& area)
-	    : m_frame(frame), m_area(area), m_camera_from_robot(isometryOf(frame.robot_from_camera).inverse())
+	View(const DepthFrame& frame, const CanvasArea& area) : m_area(area), m_projection(frame)
 	{
 		const auto& intrinsics = frame.image.intrinsics;
 		const double fit_x = double(area.right - area.left + 1) / intrinsics.width_px;
@@ -23,41 +20,28 @@ public:
 	}
 
 	[[nodiscard]] double scale() const { return m_scale; }
-	[[nodiscard]] Eigen::Vector3d inCamera(const Eigen::Vector3d& point) const { return m_camera_from_robot * point; }
-	[[nodiscard]] std::optional<CanvasPoint> pixel(const Eigen::Vector3d& point_in_camera) const
+	[[nodiscard]] const CameraProjection& projection() const { return m_projection; }
+	[[nodiscard]] CanvasPoint onCanvas(const Eigen::Vector2d& image_px) const
 	{
-		const auto uv = pixelOfPoint(m_frame.image.intrinsics, point_in_camera);
-		if (!uv) return std::nullopt;
-		return CanvasPoint(m_area.left + m_scale * uv->x(), m_area.top + m_scale * uv->y());
+		return CanvasPoint(m_area.left, m_area.top) + m_scale * image_px;
+	}
+	[[nodiscard]] std::optional<CanvasPoint> pixel(const Eigen::Vector3d& point_in_robot) const
+	{
+		const auto uv = m_projection.pixel(point_in_robot);
+		return uv ? std::optional(onCanvas(*uv)) : std::nullopt;
 	}
 	/** Both ends of the part of a segment that lies in front of the camera. */
 	[[nodiscard]] std::optional<std::pair<CanvasPoint, CanvasPoint>> segment(const Eigen::Vector3d& a_in_robot,
 	                                                                         const Eigen::Vector3d& b_in_robot) const
 	{
-		Eigen::Vector3d a = inCamera(a_in_robot), b = inCamera(b_in_robot);
-		if (a.x() < kNear_m && b.x() < kNear_m) return std::nullopt;
-		const Eigen::Vector3d cut = a + (b - a) * ((kNear_m - a.x()) / (b.x() - a.x()));
-		if (a.x() < kNear_m) a = cut;
-		if (b.x() < kNear_m) b = cut;
-		return std::pair(*pixel(a), *pixel(b));
-	}
-	/** True where the depth image measures this very point. */
-	[[nodiscard]] bool shows(const Eigen::Vector3d& point_in_robot) const
-	{
-		const Eigen::Vector3d point = inCamera(point_in_robot);
-		const auto uv = pixelOfPoint(m_frame.image.intrinsics, point);
-		const auto& intrinsics = m_frame.image.intrinsics;
-		if (!uv || uv->x() < 0 || uv->y() < 0 || uv->x() > intrinsics.width_px - 1 ||
-		    uv->y() > intrinsics.height_px - 1)
-			return false;
-		const double depth = m_frame.image.at(static_cast<int>(uv->x()), static_cast<int>(uv->y()));
-		return std::abs(depth - point.x()) < 0.1 + 0.02 * point.x();
+		const auto ends = m_projection.segment(a_in_robot, b_in_robot);
+		if (!ends) return std::nullopt;
+		return std::pair(onCanvas(ends->first), onCanvas(ends->second));
 	}
 
 private:
-	const DepthFrame& m_frame;
 	CanvasArea m_area;
-	Eigen::Isometry3d m_camera_from_robot;
+	CameraProjection m_projection;
 	double m_scale = 1.0;
 };
 
@@ -77,14 +61,8 @@ void drawDepth(Canvas& canvas, const CanvasArea& area, const DepthImage& image, 
 /** The parts of a wall–floor line that the camera sees. */
 void drawFloorLine(Canvas& canvas, const View& view, const Line& line, double max_range_m)
 {
-	constexpr double kStep_m = 0.04;
-	const double reach_m = 2.0 * max_range_m;
-	for (double t = -reach_m; t < reach_m; t += kStep_m)
-	{
-		const Eigen::Vector3d a = line.point + t * line.direction, b = a + kStep_m * line.direction;
-		if (!view.shows(a) || !view.shows(b)) continue;
-		if (const auto ends = view.segment(a, b)) canvas.line(ends->first, ends->second, 3.0, {style::kWall});
-	}
+	for (const auto& [a, b] : view.projection().shownParts(line, 2.0 * max_range_m))
+		canvas.line(view.onCanvas(a), view.onCanvas(b), 3.0, {style::kWall});
 }
 
 void drawDoor(Canvas& canvas, const View& view, const DoorMark& mark)
@@ -95,36 +73,32 @@ void drawDoor(Canvas& canvas, const View& view, const DoorMark& mark)
 			canvas.line(ends->first, ends->second, 3.0, {mark.color});
 	const Eigen::Vector3d foot = 0.5 * (corners[0] + corners[1]), top = 0.5 * (corners[2] + corners[3]);
 	const Eigen::Vector3d middle = foot + mark.label_height * (top - foot);
-	if (const auto at = view.pixel(view.inCamera(middle)); at && canvas.clip().contains(*at))
+	if (const auto at = view.pixel(middle); at && canvas.clip().contains(*at))
 		canvas.label(*at, mark.label, {mark.color, 0.9});
 }
 
 void drawVanishingPoint(Canvas& canvas, const View& view, const VanishingPoint& vanishing_point)
 {
-	const auto at = view.pixel(view.inCamera(vanishing_point.point));
+	const auto at = view.pixel(vanishing_point.point);
 	if (!at || !canvas.clip().contains(*at)) return;
 	canvas.ring(*at, 9.0, 3.0, {style::kVanishingPoint});
 	canvas.disc(*at, 2.5, {style::kVanishingPoint});
 	canvas.label(*at - CanvasPoint(0, 24), "VP", {style::kVanishingPoint, 0.9});
 }
 
-void drawHeading(Canvas& canvas, const View& view, const std::optional<Ground>& ground, double heading_rad,
-                 double reach_m, double width_px, const mrpt::img::TColor& color)
-{
-	constexpr double kStart_m = 0.6;
-	const auto ends = view.segment(floorPoint(ground, heading_rad, kStart_m),
-	                               floorPoint(ground, heading_rad, std::max(reach_m, kStart_m + 0.5)));
-	if (ends) canvas.arrow(ends->first, ends->second, width_px, {color});
-}
-
+/** θ_a is left out: the picture's legend does not have it, and the chosen heading covers it. */
 void drawHeadings(Canvas& canvas, const View& view, const StepResult& result)
 {
-	const Headings& headings = result.decision.headings;
-	const auto& ground = result.percepts.ground;
-	if (headings.vanishing_point_rad)
-		drawHeading(canvas, view, ground, *headings.vanishing_point_rad, 3.0, 4.0, style::kVanishingPoint);
-	if (headings.door_rad) drawHeading(canvas, view, ground, *headings.door_rad, 2.5, 4.0, style::kDoorHeading);
-	if (headings.chosen_rad) drawHeading(canvas, view, ground, *headings.chosen_rad, 1.9, 7.0, style::kChosen);
+	for (const HeadingArrow& arrow : headingArrows(result))
+	{
+		const auto ends = view.segment(arrow.from_in_robot, arrow.to_in_robot);
+		if (!ends || arrow.kind == HeadingKind::avoid) continue;
+		const bool chosen = arrow.kind == HeadingKind::chosen;
+		const auto& color = chosen                            ? style::kChosen
+		                    : arrow.kind == HeadingKind::door ? style::kDoorHeading
+		                                                      : style::kVanishingPoint;
+		canvas.arrow(ends->first, ends->second, chosen ? 7.0 : 4.0, {color});
+	}
 }
 }  // namespace
 

@@ -33,6 +33,24 @@ Eigen::Vector3d floorPoint(const std::optional<Ground>& ground, double heading_r
 	return onFloor(ground, {distance_m * std::cos(heading_rad), distance_m * std::sin(heading_rad), 0.0});
 }
 
+std::vector<HeadingArrow> headingArrows(const StepResult& result)
+{
+	constexpr double kStart_m = 0.6;
+	std::vector<HeadingArrow> arrows;
+	const auto add = [&](HeadingKind kind, const std::optional<double>& heading_rad, double reach_m)
+	{
+		if (!heading_rad) return;
+		const auto& ground = result.percepts.ground;
+		arrows.push_back({kind, floorPoint(ground, *heading_rad, kStart_m), floorPoint(ground, *heading_rad, reach_m)});
+	};
+	const Headings& headings = result.decision.headings;
+	add(HeadingKind::vanishing_point, headings.vanishing_point_rad, 3.0);
+	add(HeadingKind::door, headings.door_rad, 2.5);
+	add(HeadingKind::avoid, headings.avoid_rad, 2.2);
+	add(HeadingKind::chosen, headings.chosen_rad, 1.9);
+	return arrows;
+}
+
 std::array<Eigen::Vector3d, 4> doorCorners(const Door& door, const std::optional<Ground>& ground)
 {
 	const Eigen::Vector3d up = ground ? ground->plane.normal : Eigen::Vector3d::UnitZ();

@@ -51,6 +51,24 @@ TColor depthColor(double share);
 /** A point on the floor (where it was found; else at z = 0), `distance_m` away along `heading_rad`, robot frame. */
 Eigen::Vector3d floorPoint(const std::optional<Ground>& ground, double heading_rad, double distance_m);
 
+/** Which of the headings an arrow stands for. */
+enum class HeadingKind
+{
+	vanishing_point,  ///< θ_v
+	door,             ///< θ_o, to the nearest door
+	avoid,            ///< θ_a
+	chosen
+};
+
+/** An arrow on the floor in front of the robot. */
+struct HeadingArrow
+{
+	HeadingKind kind = HeadingKind::chosen;
+	Eigen::Vector3d from_in_robot, to_in_robot;
+};
+/** Those that there are, the chosen one last. */
+std::vector<HeadingArrow> headingArrows(const StepResult& result);
+
 /** The four corners of an opening in the robot frame: floor, floor, lintel, lintel (2 m high where unknown). */
 std::array<Eigen::Vector3d, 4> doorCorners(const Door& door, const std::optional<Ground>& ground);
 
