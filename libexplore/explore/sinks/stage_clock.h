@@ -42,6 +42,8 @@ public:
 	void add(const StageTimes& times_ms);
 	/** Median (mean of the middle two) and 99th percentile (nearest rank) by stage. */
 	[[nodiscard]] std::map<std::string, StageStatistics> statistics() const;
+	/** By stage, frame after frame. */
+	[[nodiscard]] const std::map<std::string, std::vector<float>, std::less<>>& times() const { return m_times_ms; }
 	/** Writes or reads all of it. */
 	template <class Archive>
 	void exchange(Archive& archive)
