@@ -21,7 +21,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
 /** The first line of the file: states of other versions have other fields. */
 std::string headLine()
 {
-	return "explore-mrpt state 2 of version " + version() + "\n";
+	return "explore-mrpt state 3 of version " + version() + "\n";
 }
 
 /** What stands between the first line and the packed bytes. */
@@ -102,6 +102,7 @@ void syncOutputs(const fs::path& folder, const OutputSizes& sizes)
 	};
 	sync(paths.frames, sizes.frames), sync(paths.timing, sizes.timing);
 	sync(paths.trajectory, sizes.trajectory), sync(paths.truth, sizes.truth);
+	sync(paths.report_log, sizes.report);
 }
 }  // namespace
 

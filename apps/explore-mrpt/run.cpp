@@ -16,12 +16,19 @@ std::string reasonOfEnd(const Run& run)
 	return run.source.report().damage.empty() ? "log ended" : "input damaged";
 }
 
+/** Null where there is none. */
+const octomap::OcTree* mapOf(const Run& run)
+{
+	return run.state.memory ? &run.state.memory->map.tree() : nullptr;
+}
+
 /** Takes the frame's result to the two ends. */
 void handOver(Run& run, const DepthFrame& frame, const StepResult& result)
 {
 	run.link.decided(result.decision, frame.timestamp);
 	run.outputs.write(frame, result);
 	run.truth.add(frame, result, run.state.mission.goal_lost);
+	run.outputs.writeReport(frame, result, run.state, [&] { return run.truth.coverage(mapOf(run)); });
 	if (run.robot == nullptr) return;
 	run.outputs.writeTruth(frame.timestamp, run.robot->trueState().map_from_robot);
 	run.robot->obey(result.decision.command);
@@ -96,7 +103,7 @@ RunSummary summaryOf(Run& run, const std::string& reason)
 	        peakResidentMegabytes(),
 	        processorUse(run.started),
 	        explorationSummary(run.state),
-	        run.truth.summary(run.state.memory ? &run.state.memory->map.tree() : nullptr)};
+	        run.truth.summary(mapOf(run))};
 }
 
 /** What is known of the building so far, where there is a memory. */
@@ -118,8 +125,9 @@ RunSummary exploreAndSum(Run& run)
 		run.logger.status().finish();
 		RunSummary summary = summaryOf(run, reason);
 		writeMap(run);
-		run.outputs.finish(summary);
+		run.outputs.finish(summary, run.timing, run.state);
 		keepLastState(run, reason);
+		if (!canGoOn(run, reason)) run.outputs.forgetReportLog();
 		return summary;
 	}
 	catch (const std::exception& error)
@@ -128,8 +136,9 @@ RunSummary exploreAndSum(Run& run)
 		run.logger.status().finish();
 		try
 		{
-			run.outputs.finish(summaryOf(run, std::string("error: ") + error.what()));
+			run.outputs.finish(summaryOf(run, std::string("error: ") + error.what()), run.timing, run.state);
 			writeMap(run);  // last: where the disk is full, the summary is smaller
+			if (!run.keeper.keeps()) run.outputs.forgetReportLog();
 		}
 		catch (const OutputError&)
 		{

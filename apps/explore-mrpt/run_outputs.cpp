@@ -24,6 +24,15 @@ TimingCsv openTiming(const std::filesystem::path& path, const std::optional<Outp
 	const std::vector<std::string> stages{"read", "perceive", "remember", "choose", "avoid", "heading", "write"};
 	return continued ? TimingCsv(path, stages, continued->timing) : TimingCsv(path, stages);
 }
+
+ReportRecorder openReport(const std::filesystem::path& log, const ExplorerConfig& config,
+                          const std::optional<OutputSizes>& continued)
+{
+	ReportConfig report;
+	report.camera.max_range_m = config.perception.range_filter.max_range_m;
+	report.robot_radius_m = config.robot.radius_m;
+	return continued ? ReportRecorder(log, report, continued->report) : ReportRecorder(log, report);
+}
 }  // namespace
 
 RunOutputs::RunOutputs(const Options& options, const AppConfig& config, const std::optional<OutputSizes>& continued)
@@ -36,6 +45,7 @@ RunOutputs::RunOutputs(const Options& options, const AppConfig& config, const st
 	if (output.trajectory) m_trajectory.emplace(open(m_paths->trajectory, continued, &OutputSizes::trajectory));
 	if (output.trajectory && config.source.kind == SourceKind::simulator)
 		m_truth.emplace(open(m_paths->truth, continued, &OutputSizes::truth));
+	if (output.report) m_report.emplace(openReport(m_paths->report_log, config.explorer, continued));
 	if (output.pictures_every > 0)
 		m_pictures.emplace(m_paths->pictures, output.pictures_every,
 		                   PictureConfig{config.explorer.perception.range_filter.max_range_m, config.explorer.robot});
@@ -48,6 +58,7 @@ OutputSizes RunOutputs::sizes() const
 	if (m_timing) sizes.timing = m_timing->bytes();
 	if (m_trajectory) sizes.trajectory = m_trajectory->bytes();
 	if (m_truth) sizes.truth = m_truth->bytes();
+	if (m_report) sizes.report = m_report->bytes();
 	return sizes;
 }
 
@@ -56,6 +67,12 @@ void RunOutputs::write(const DepthFrame& frame, const StepResult& result)
 	m_frames.write(frameLine(frame, result));
 	if (m_trajectory) m_trajectory->write(trajectoryLine(frame));
 	if (m_pictures) m_pictures->write(frame, result);
+}
+
+void RunOutputs::writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
+                             const CoverageNow& coverage)
+{
+	if (m_report) m_report->add(frame, result, state, coverage);
 }
 
 void RunOutputs::writeTimes(std::size_t frame, const StageTimes& times_ms)
@@ -75,12 +92,20 @@ void RunOutputs::writeMap(const octomap::OcTree& map, const FloorBand& band)
 	writeFloorMap(floorMap(map, band), m_paths->folder);
 }
 
-void RunOutputs::finish(const RunSummary& summary)
+void RunOutputs::finish(const RunSummary& summary, const TimingRecord& timing, const ExplorerState& state)
 {
 	m_frames.close();
 	if (m_timing) m_timing->close();
 	if (m_trajectory) m_trajectory->close();
 	if (m_truth) m_truth->close();
 	if (m_paths) writeFileAtomically(m_paths->summary, summaryJson(summary));
+	if (m_report) writeFileAtomically(m_paths->report, m_report->page(summary, timing, state));
+}
+
+void RunOutputs::forgetReportLog()
+{
+	if (!m_report) return;
+	removeOldFiles(m_paths->report_log.parent_path(),
+	               [this](const std::filesystem::path& path) { return path == m_paths->report_log; });
 }
 }  // namespace explore::app

@@ -8,6 +8,7 @@
 #include <explore/sinks/map_files.h>
 #include <explore/sinks/output_file.h>
 #include <explore/sinks/output_folder.h>
+#include <explore/sinks/report/report_recorder.h>
 #include <explore/sinks/summary.h>
 #include <explore/sinks/timing_csv.h>
 
@@ -26,13 +27,18 @@ public:
 	[[nodiscard]] OutputSizes sizes() const;
 
 	void write(const DepthFrame& frame, const StepResult& result);
+	/** What the report shows of the frame; `state` is that after it. */
+	void writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
+	                 const CoverageNow& coverage);
 	void writeTimes(std::size_t frame, const StageTimes& times_ms);
 	/** A line of truth.tum. */
 	void writeTruth(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& true_map_from_robot);
 	/** The map as it is in the end: map.ot, map.bt, and what of it is in `band` as map.pgm and map.yaml. */
 	void writeMap(const octomap::OcTree& map, const FloorBand& band);
-	/** Closes the files and writes the summary, where there is a folder. */
-	void finish(const RunSummary& summary);
+	/** Closes the files and writes the summary and the report, where there is a folder. */
+	void finish(const RunSummary& summary, const TimingRecord& timing, const ExplorerState& state);
+	/** What only a run that goes on needs is not needed any more. */
+	void forgetReportLog();
 
 private:
 	std::optional<OutputPaths> m_paths;
@@ -40,5 +46,6 @@ private:
 	std::optional<TimingCsv> m_timing;
 	std::optional<OutputFile> m_trajectory, m_truth;
 	std::optional<FramePictures> m_pictures;
+	std::optional<ReportRecorder> m_report;
 };
 }  // namespace explore::app

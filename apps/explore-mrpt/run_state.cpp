@@ -28,10 +28,15 @@ void keepState(Run& run)
 	run.keeper.keep({run.beginning, "", run.outputs.sizes(), state.bytes()});
 }
 
+bool canGoOn(const Run& run, const std::string& reason)
+{
+	return run.keeper.keeps() && (reason == kMaxFrames || reason == kInterrupted);
+}
+
 void keepLastState(Run& run, const std::string& reason)
 {
 	if (!run.keeper.keeps()) return;
-	if (reason == kMaxFrames || reason == kInterrupted)
+	if (canGoOn(run, reason))
 		keepState(run);
 	else
 		run.keeper.keep({run.beginning, reason, run.outputs.sizes(), {}});

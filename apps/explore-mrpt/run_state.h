@@ -43,6 +43,8 @@ inline constexpr std::string_view kMaxFrames = "max frames", kInterrupted = "int
 void keepState(Run& run);
 /** The last one of a run, when all its other files are written; of one that is over only why. */
 void keepLastState(Run& run, const std::string& reason);
+/** Whether --resume can go on after an end with this reason. */
+[[nodiscard]] bool canGoOn(const Run& run, const std::string& reason);
 /** Takes a run that was made alike to where it was. Throws InputError where the state is not one of such a run, or the
  *  recording another. */
 void goOnFrom(const Checkpoint& checkpoint, Run& run);

@@ -29,9 +29,20 @@ std::optional<TruthSummary> RunTruth::summary(const octomap::OcTree* map) const
 	truth.path_m = m_watch.path_m();
 	truth.from_start_m = m_watch.fromStart_m();
 	truth.goal_flips = m_watch.flips();
-	const TruthReach reach = m_robot->reachable();
-	truth.reachable_m2 = reach.floorArea();
-	if (map != nullptr) truth.coverage = evaluation::coverageOf(reach, *map).share();
+	truth.reachable_m2 = reach().floorArea();
+	truth.coverage = coverage(map);
 	return truth;
+}
+
+std::optional<double> RunTruth::coverage(const octomap::OcTree* map) const
+{
+	if (m_robot == nullptr || map == nullptr) return std::nullopt;
+	return evaluation::coverageOf(reach(), *map).share();
+}
+
+const TruthReach& RunTruth::reach() const
+{
+	if (!m_reach) m_reach = m_robot->reachable();
+	return *m_reach;
 }
 }  // namespace explore::app

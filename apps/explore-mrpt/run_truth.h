@@ -22,6 +22,8 @@ public:
 
 	/** `frame` is the last one that the robot took; `goal_lost` says that the map has put an end to the goal before. */
 	void add(const DepthFrame& frame, const StepResult& result, bool goal_lost);
+	/** Share of what the robot can get to that `map` shows as free, 0–1; no value for a recording or without a map. */
+	[[nodiscard]] std::optional<double> coverage(const octomap::OcTree* map) const;
 	/** Of the frames so far. Coverage is that of `map`, where there is one. */
 	[[nodiscard]] std::optional<TruthSummary> summary(const octomap::OcTree* map) const;
 	/** Writes or reads what add() changes. */
@@ -32,7 +34,10 @@ public:
 	}
 
 private:
+	[[nodiscard]] const TruthReach& reach() const;
+
 	const ClosedLoopSource* m_robot;
+	mutable std::optional<TruthReach> m_reach;  ///< takes a second or two, and stays what it is
 	evaluation::RunWatch m_watch;
 };
 }  // namespace explore::app

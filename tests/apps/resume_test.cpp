@@ -62,12 +62,22 @@ json summaryIn(const fs::path& out)
 	return summary;
 }
 
+/** Without what the clock says. */
+std::string reportIn(const fs::path& out)
+{
+	std::string page = readFile(out / "report.html");
+	const auto from = page.find("<noscript>"), to = page.find("id=\"run\">");
+	EXPECT_NE(to, std::string::npos) << out;
+	return to == std::string::npos ? "" : page.erase(from, to - from);
+}
+
 void expectSameResults(const fs::path& a, const fs::path& b)
 {
 	for (const char* name : {"frames.jsonl", "trajectory.tum", "truth.tum", "map.ot", "map.bt", "map.pgm", "map.yaml"})
 		EXPECT_TRUE(readFile(a / name) == readFile(b / name)) << name;
 	EXPECT_EQ(linesOf(readFile(a / "timing.csv")).size(), linesOf(readFile(b / "timing.csv")).size());
 	EXPECT_EQ(summaryIn(a), summaryIn(b));
+	EXPECT_TRUE(reportIn(a) == reportIn(b));
 }
 
 void killTwiceAndGoOn(const Arguments& arguments, std::size_t first, std::size_t second)

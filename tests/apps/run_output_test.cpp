@@ -54,7 +54,8 @@ TEST(RunOutput, FullDiskLeavesWholeLines)
 	const auto log = corridorLog(12);
 	Program::Setup setup;
 	setup.file_size_limit = 8000;
-	const auto result = exploreMrpt({"--rawlog", log, "--out", (testFolder() / "o").string()}, setup);
+	const auto result =
+	    exploreMrpt({"--rawlog", log, "--out", (testFolder() / "o").string(), "--set", "output.report=false"}, setup);
 	EXPECT_EQ(result.exit_code, 5);
 	EXPECT_THAT(result.err, HasSubstr("frames.jsonl"));
 	const auto frames = readFile(testFolder() / "o" / "frames.jsonl");

@@ -43,6 +43,12 @@ summary = json.load(open(sys.argv[1]))
 del summary["timing_ms"], summary["peak_rss_mb"], summary["processor"]
 json.dump(summary, open(sys.argv[2], "w"), indent=1)' "$folder/$run/summary.json" "$folder/$run.json"
 done
+for run in whole killed
+do
+	# Without what the clock says: all before the element "run".
+	sed -n '/id="run">/,$p' "$folder/$run/report.html" > "$folder/$run.html"
+done
+cmp "$folder/whole.html" "$folder/killed.html"
 cmp "$folder/whole.json" "$folder/killed.json"
 echo "$kills kills: everything is the same"
 rm -r "$folder"

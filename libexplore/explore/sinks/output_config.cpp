@@ -7,6 +7,7 @@ void describe(FieldVisitor& fields, OutputConfig& config)
 	fields.section("output", "Which files a run leaves beside frames.jsonl and summary.json");
 	fields.flag("timing", config.timing, "Write timing.csv: the time of every stage in every frame");
 	fields.flag("trajectory", config.trajectory, "Write trajectory.tum: map_from_robot of every frame");
+	fields.flag("report", config.report, "Write report.html: the run as one page to look at");
 	fields.integer("pictures_every", config.pictures_every, {0, 1'000'000}, "frames",
 	               "Draw every n-th frame into pictures/NNNNNN.png; 0 = none");
 	fields.real("checkpoint_period", config.checkpoint_period_s, {0.0, 3600.0}, "s",

@@ -27,7 +27,7 @@ bool isPictureOfOurs(const fs::path& path)
 
 bool isStateOfOurs(const fs::path& path)
 {
-	return path.stem() == "checkpoint";
+	return path.stem() == "checkpoint" || path.stem() == "report";
 }
 }  // namespace
 
@@ -71,13 +71,16 @@ OutputPaths outputPaths(const fs::path& folder)
 	        folder / "map.bt",
 	        folder / "map.pgm",
 	        folder / "map.yaml",
-	        folder / "state" / "checkpoint"};
+	        folder / "state" / "checkpoint",
+	        folder / "report.html",
+	        folder / "state" / "report"};
 }
 
 OutputPaths continueOutputFolder(const fs::path& folder)
 {
 	OutputPaths paths = outputPaths(folder);
-	for (const fs::path* file : {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml})
+	for (const fs::path* file :
+	     {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml, &paths.report})
 		removeOldFile(*file);
 	return paths;
 }

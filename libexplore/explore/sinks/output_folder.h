@@ -6,11 +6,11 @@
 
 namespace explore
 {
-/** The files of one run below its folder. */
+/** The files of one run below its folder. `report_log` is what `report` is made of in the end. */
 struct OutputPaths
 {
 	std::filesystem::path folder, frames, timing, summary, trajectory, pictures, truth, map_ot, map_bt, map_pgm,
-	    map_yaml, state;
+	    map_yaml, state, report, report_log;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
 
