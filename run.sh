@@ -12,7 +12,8 @@ demo_packages=(
 	libsdformat-dev libassimp-dev libembree-dev
 	libopenni2-dev pkg-config
 )
-test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common)
+# chromium is what the test of report.html looks at it with.
+test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common chromium)
 ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev
 	help2man dpkg-dev file lintian bash-completion)
 
@@ -129,6 +130,7 @@ run_demo()
 	done
 	timed "explored" "$build/apps/explore-mrpt/explore-mrpt" --ini corridor.ini "${out_option[@]}" "$@"
 	[ "${#out_option[@]}" -eq 0 ] || say "the results are in $out"
+	[ "${#out_option[@]}" -eq 0 ] || [ ! -e "$out/report.html" ] || say "the report to look at: $out/report.html"
 }
 
 run_test()
