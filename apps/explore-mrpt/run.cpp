@@ -16,19 +16,14 @@ std::string reasonOfEnd(const Run& run)
 	return run.source.report().damage.empty() ? "log ended" : "input damaged";
 }
 
-/** Null where there is none. */
-const octomap::OcTree* mapOf(const Run& run)
-{
-	return run.state.memory ? &run.state.memory->map.tree() : nullptr;
-}
-
 /** Takes the frame's result to the two ends. */
 void handOver(Run& run, const DepthFrame& frame, const StepResult& result)
 {
 	run.link.decided(result.decision, frame.timestamp);
 	run.outputs.write(frame, result);
 	run.truth.add(frame, result, run.state.mission.goal_lost);
-	run.outputs.writeReport(frame, result, run.state, [&] { return run.truth.coverage(mapOf(run)); });
+	if (run.config.output.report && run.outputs.paths()) run.truth.follow(run.state.memory.get());
+	run.outputs.writeReport(frame, result, run.state, run.truth.coverage());
 	if (run.robot == nullptr) return;
 	run.outputs.writeTruth(frame.timestamp, run.robot->trueState().map_from_robot);
 	run.robot->obey(result.decision.command);
@@ -103,7 +98,7 @@ RunSummary summaryOf(Run& run, const std::string& reason)
 	        peakResidentMegabytes(),
 	        processorUse(run.started),
 	        explorationSummary(run.state),
-	        run.truth.summary(mapOf(run))};
+	        run.truth.summary(run.state.memory ? &run.state.memory->map.tree() : nullptr)};
 }
 
 /** What is known of the building so far, where there is a memory. */

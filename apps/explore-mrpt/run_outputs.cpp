@@ -70,7 +70,7 @@ void RunOutputs::write(const DepthFrame& frame, const StepResult& result)
 }
 
 void RunOutputs::writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
-                             const CoverageNow& coverage)
+                             const std::optional<double>& coverage)
 {
 	if (m_report) m_report->add(frame, result, state, coverage);
 }

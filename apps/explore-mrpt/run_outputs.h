@@ -27,9 +27,9 @@ public:
 	[[nodiscard]] OutputSizes sizes() const;
 
 	void write(const DepthFrame& frame, const StepResult& result);
-	/** What the report shows of the frame; `state` is that after it. */
+	/** What the report shows of the frame; `state` is that after it, `coverage` that of its map where that is known. */
 	void writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
-	                 const CoverageNow& coverage);
+	                 const std::optional<double>& coverage);
 	void writeTimes(std::size_t frame, const StageTimes& times_ms);
 	/** A line of truth.tum. */
 	void writeTruth(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& true_map_from_robot);

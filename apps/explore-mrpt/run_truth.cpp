@@ -29,20 +29,22 @@ std::optional<TruthSummary> RunTruth::summary(const octomap::OcTree* map) const
 	truth.path_m = m_watch.path_m();
 	truth.from_start_m = m_watch.fromStart_m();
 	truth.goal_flips = m_watch.flips();
-	truth.reachable_m2 = reach().floorArea();
-	truth.coverage = coverage(map);
+	const TruthReach reach = m_coverage ? m_coverage->reach() : m_robot->reachable();
+	truth.reachable_m2 = reach.floorArea();
+	if (map != nullptr) truth.coverage = evaluation::coverageOf(reach, *map).share();
 	return truth;
 }
 
-std::optional<double> RunTruth::coverage(const octomap::OcTree* map) const
+void RunTruth::follow(FrontierMemory* memory)
 {
-	if (m_robot == nullptr || map == nullptr) return std::nullopt;
-	return evaluation::coverageOf(reach(), *map).share();
+	if (m_robot == nullptr || memory == nullptr) return;
+	if (!m_coverage) m_coverage.emplace(m_robot->reachable());
+	m_coverage->follow(*memory);
 }
 
-const TruthReach& RunTruth::reach() const
+std::optional<double> RunTruth::coverage() const
 {
-	if (!m_reach) m_reach = m_robot->reachable();
-	return *m_reach;
+	if (!m_coverage) return std::nullopt;
+	return m_coverage->coverage().share();
 }
 }  // namespace explore::app

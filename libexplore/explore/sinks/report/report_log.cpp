@@ -51,13 +51,21 @@ void ReportLog::read(const std::function<void(const ReportEntry&)>& take) const
 {
 	std::ifstream file(m_path, std::ios::binary);
 	std::uintmax_t left = bytes();
-	for (std::string line; left > 0 && std::getline(file, line);)
+	std::string why;
+	try
 	{
-		const auto entry = entryOf(line);
-		if (!entry || line.size() + 1 > left) break;
-		take(*entry);
-		left -= line.size() + 1;
+		for (std::string line; left > 0 && std::getline(file, line);)
+		{
+			const auto entry = entryOf(line);
+			if (!entry || line.size() + 1 > left) break;
+			take(*entry);
+			left -= line.size() + 1;
+		}
 	}
-	if (left > 0) throw OutputError(m_path.string() + ": is not what was written to it");
+	catch (const std::exception& error)  // of those who read the entries: JSON, plans
+	{
+		why = std::string(": ") + error.what();
+	}
+	if (left > 0) throw OutputError(m_path.string() + ": is not what was written to it" + why);
 }
 }  // namespace explore

@@ -44,7 +44,8 @@ public:
 	void write(std::initializer_list<ReportEntry> entries);
 	[[nodiscard]] std::uintmax_t bytes() const { return m_file.bytes(); }
 	[[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-	/** Gives every entry so far, in order, to `take`. Throws OutputError where the file is not what was written. */
+	/** Gives every entry so far, in order, to `take`. Throws OutputError where the file is not what was written,
+	 *  or where `take` throws. */
 	void read(const std::function<void(const ReportEntry&)>& take) const;
 
 private:

@@ -97,7 +97,7 @@ private:
 /** Opens an element with data for the scripts. */
 std::string dataElement(std::string_view id)
 {
-	return std::string("<script type=\"application/json\" id=\"").append(id) + "\">";
+	return std::string(R"(<script type="application/json" id=")").append(id) + "\">";
 }
 constexpr std::string_view kEndOfData = "</script>\n";
 

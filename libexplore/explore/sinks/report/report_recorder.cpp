@@ -8,8 +8,6 @@ namespace explore
 namespace
 {
 constexpr double kSameGoal_m = 0.25;
-/** Every so many plans the map is asked for its coverage, which takes longer than all the rest. */
-constexpr std::size_t kPlansACoverage = 4;
 
 std::string beginningText(double t_s, const ReportConfig& config)
 {
@@ -94,17 +92,18 @@ std::string ReportRecorder::goalText(const DepthFrame& frame, const Goal& goal)
 	return jsonText(line);
 }
 
-std::string ReportRecorder::planText(const PlanTime& time, const FrontierMemory& memory, const CoverageNow& coverage)
+std::string ReportRecorder::planText(const PlanTime& time, const FrontierMemory& memory,
+                                     const std::optional<double>& coverage)
 {
 	PlanSnapshot now = planSnapshotOf(memory);
-	if (time.frame % (kPlansACoverage * m_plans.stride()) == 0) now.coverage = coverage();
+	now.coverage = coverage;
 	std::string text = planRecord(m_plan, now, time);
 	m_plan = std::move(now);
 	return text;
 }
 
 void ReportRecorder::add(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
-                         const CoverageNow& coverage)
+                         const std::optional<double>& coverage)
 {
 	const double t_s = mrpt::Clock::toDouble(frame.timestamp);
 	std::string beginning, camera, plan;

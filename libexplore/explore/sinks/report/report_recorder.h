@@ -10,7 +10,6 @@
 #include <explore/sinks/stage_clock.h>
 #include <explore/sinks/summary.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -27,9 +26,6 @@ struct ReportConfig
 	std::size_t most_poses = 6000, most_goals = 2000;
 };
 
-/** The share of what the robot can get to that its map shows as free, 0–1; no value where nobody knows. */
-using CoverageNow = std::function<std::optional<double>()>;
-
 class ReportRecorder
 {
 public:
@@ -39,9 +35,10 @@ public:
 	 *  OutputError where it is not what was written. */
 	ReportRecorder(const std::filesystem::path& log, const ReportConfig& config, std::uintmax_t bytes);
 
-	/** `state` is that after the frame. `coverage` is asked now and then. Throws OutputError. */
+	/** `state` is that after the frame, `coverage` the share of what the robot can get to that the map shows as free,
+	 *  0–1, where that is known. Throws OutputError. */
 	void add(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
-	         const CoverageNow& coverage);
+	         const std::optional<double>& coverage);
 	[[nodiscard]] std::uintmax_t bytes() const { return m_log.bytes(); }
 	[[nodiscard]] const std::filesystem::path& path() const { return m_log.path(); }
 
@@ -61,7 +58,7 @@ private:
 	/** Takes an entry of the log into what the next frames depend on. */
 	void follow(const ReportEntry& entry);
 	std::string goalText(const DepthFrame& frame, const Goal& goal);
-	std::string planText(const PlanTime& time, const FrontierMemory& memory, const CoverageNow& coverage);
+	std::string planText(const PlanTime& time, const FrontierMemory& memory, const std::optional<double>& coverage);
 
 	ReportConfig m_config;
 	ReportLog m_log;
