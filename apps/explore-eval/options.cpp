@@ -146,7 +146,14 @@ ParsedEvalOptions parseEvalOptions(int argc, const char* const* argv)
 	    "Exit codes: 0 done, 1 a requirement was missed or a cost exceeded (or internal error), 2 usage or "
 	    "configuration,\n"
 	    "3 a log or part unreadable or damaged or a soak's run failed, 5 output cannot be written.");
-	parsed.exit_code = parseArguments(app, argc, argv);
+	const FirstCommands first{
+	    "  explore-eval MY.rawlog --ini corridor.ini --out scores   scores a log that MY.truth.json tells the truth "
+	    "of\n"
+	    "  explore-eval compare scores other-scores                 what another configuration changed, with "
+	    "intervals\n"
+	    "  explore-eval soak --ini corridor.ini --world corridor.sdf --out runs\n"
+	    "                                                           explores a simulated world ten times\n"};
+	parsed.exit_code = parseArguments(app, first, argc, argv);
 	if (parsed.exit_code) return parsed;
 	if (score_require->count() > 0 || (merge->parsed() && merge->get_option("--require")->count() > 0))
 		parsed.options.requirements = evaluation::parseRequirements(require);

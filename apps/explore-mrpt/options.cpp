@@ -76,7 +76,12 @@ ParsedOptions parseOptions(int argc, const char* const* argv)
 	app.footer(
 	    "Exit codes: 0 done, 1 internal error, 2 usage or configuration, 3 input unreadable or damaged,\n"
 	    "4 sensor lost, 5 output cannot be written, 130 / 143 interrupted.");
-	parsed.exit_code = parseArguments(app, argc, argv);
+	const FirstCommands first{
+	    "  explore-mrpt --ini corridor.ini                    a simulated robot explores our corridor world\n"
+	    "  explore-mrpt --ini xtion.ini                       the depth camera that is plugged in (OpenNI2)\n"
+	    "  explore-mrpt --ini corridor.ini --rawlog MY.rawlog a recording of yours\n"
+	    "\nThen open explore-out/report.html in a browser.\n"};
+	parsed.exit_code = parseArguments(app, first, argc, argv);
 	return parsed;
 }
 

@@ -36,7 +36,12 @@ int runRawlogTool(int argc, const char* const* argv)
 #else
 	addCameraRecordCommand(app, command);
 #endif
-	if (const auto exit_code = parseArguments(app, argc, argv)) return *exit_code;
+	const FirstCommands first{
+	    "  explore-rawlog info MY.rawlog                      what is in a recording, and whether it is damaged\n"
+	    "  explore-rawlog record --openni2 --out MY.rawlog    records the depth camera that is plugged in\n"
+	    "  explore-rawlog import --png DIR --intrinsics 525,525,319.5,239.5 --out MY.rawlog\n"
+	    "                                                     a rawlog of 16-bit depth images\n"};
+	if (const auto exit_code = parseArguments(app, first, argc, argv)) return *exit_code;
 	return command();
 }
 }  // namespace explore::app

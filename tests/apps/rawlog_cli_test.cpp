@@ -1,6 +1,7 @@
 // explore-rawlog as a user runs it: import a recording, look at it, and see its exit codes.
 #include "apps/program.h"
 #include "apps/rawlog_maker.h"
+#include "apps/rawlog_program.h"
 
 #include <gmock/gmock.h>
 
@@ -11,11 +12,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-ProgramResult exploreRawlog(const std::vector<std::string>& arguments, const Program::Setup& setup = {})
-{
-	return Program(EXPLORE_RAWLOG_PROGRAM, arguments, setup).wait();
-}
-
 fs::path sharedFolder(const std::string& name)
 {
 	return fs::path(EXPLORE_SOURCE_DIR) / ".." / "shared" / "data" / name;

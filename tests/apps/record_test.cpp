@@ -1,5 +1,5 @@
 // explore-rawlog record as a user runs it: worlds become rawlogs with their truth.
-#include "apps/program.h"
+#include "apps/rawlog_program.h"
 
 #include <explore/evaluation/truth_file.h>
 
@@ -49,11 +49,11 @@ struct Hall
 			const auto option = std::find(arguments.begin(), arguments.end(), name);
 			if (option != arguments.end()) *(option + 1) = (testFolder() / *(option + 1)).string();
 		}
-		return Program(EXPLORE_RAWLOG_PROGRAM, arguments, setup).wait();
+		return exploreRawlog(arguments, setup);
 	}
 	static std::string info(const std::string& log)
 	{
-		return Program(EXPLORE_RAWLOG_PROGRAM, {"info", (testFolder() / log).string()}, {}).wait().out;
+		return exploreRawlog({"info", (testFolder() / log).string()}).out;
 	}
 	static TruthLog truth(const std::string& name) { return evaluation::readTruth(testFolder() / name); }
 };
@@ -88,7 +88,7 @@ TEST(Record, TheCommandInTheTruthMakesTheSameBytesAgain)
 	auto arguments = choices;
 	arguments.insert(arguments.end(), {"--out", "log.rawlog", "--threads", "2"});
 	const Program::Setup inside{"", 0, testFolder()};
-	ASSERT_EQ(Program(EXPLORE_RAWLOG_PROGRAM, arguments, inside).wait().exit_code, 0);
+	ASSERT_EQ(exploreRawlog(arguments, inside).exit_code, 0);
 	const std::string log = readFile(testFolder() / "log.rawlog"), truth = readFile(testFolder() / "log.truth.json");
 	ASSERT_FALSE(log.empty());
 
@@ -100,7 +100,7 @@ TEST(Record, TheCommandInTheTruthMakesTheSameBytesAgain)
 	ASSERT_EQ(words.front(), "explore-rawlog");
 	words.erase(words.begin());
 	fs::remove(testFolder() / "log.rawlog");
-	ASSERT_EQ(Program(EXPLORE_RAWLOG_PROGRAM, words, inside).wait().exit_code, 0);
+	ASSERT_EQ(exploreRawlog(words, inside).exit_code, 0);
 	EXPECT_TRUE(readFile(testFolder() / "log.rawlog") == log);
 	EXPECT_TRUE(readFile(testFolder() / "log.truth.json") == truth);
 }

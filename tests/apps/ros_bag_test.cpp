@@ -1,5 +1,6 @@
 // From a ROS 1 bag to a rawlog, by the commands of doc/ros.md; skipped where the packages for it are not installed.
 #include "apps/program.h"
+#include "apps/rawlog_program.h"
 
 #include <explore/sources/rawlog_source.h>
 #include <gmock/gmock.h>
@@ -30,11 +31,6 @@ std::optional<std::string> pythonWithRosbag()
 ProgramResult run(Arguments arguments)
 {
 	return Program("/usr/bin/env", std::move(arguments), {}).wait();
-}
-
-ProgramResult exploreRawlog(const Arguments& arguments)
-{
-	return Program(EXPLORE_RAWLOG_PROGRAM, arguments, {}).wait();
 }
 
 struct Quiet : mrpt::system::COutputLogger

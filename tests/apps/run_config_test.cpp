@@ -1,5 +1,7 @@
+#include "apps/eval_fixture.h"
 #include "apps/program.h"
 #include "apps/rawlog_maker.h"
+#include "apps/rawlog_program.h"
 
 #include <gmock/gmock.h>
 
@@ -40,12 +42,36 @@ TEST(RunConfig, NoInputIsAUsageError)
 	EXPECT_THAT(result.err, HasSubstr("--rawlog"));
 }
 
-TEST(RunConfig, WithoutArgumentsTheHelpIsShown)
+TEST(RunConfig, WithoutArgumentsTheFirstCommandsAreShownAndTheHelpHasThemToo)
 {
-	const auto result = exploreMrpt({});
-	EXPECT_EQ(result.exit_code, 2);
-	EXPECT_EQ(result.out, "");
-	EXPECT_THAT(result.err, HasSubstr("--rawlog"));
+	const auto none = exploreMrpt({});
+	EXPECT_EQ(none.exit_code, 2);
+	EXPECT_EQ(none.out, "");
+	EXPECT_LT(std::ranges::count(none.err, '\n'), 12) << "at a glance";
+	const auto help = exploreMrpt({"--help"});
+	EXPECT_EQ(help.exit_code, 0);
+	for (const std::string command : {"explore-mrpt --ini corridor.ini ", "explore-mrpt --ini xtion.ini ",
+	                                  "explore-mrpt --ini corridor.ini --rawlog ", "explore-out/report.html"})
+	{
+		EXPECT_THAT(none.err, HasSubstr(command));
+		EXPECT_THAT(help.out, HasSubstr(command));
+	}
+	EXPECT_THAT(none.err, HasSubstr("explore-mrpt --help"));
+}
+
+// Each is run elsewhere as it stands, but for the names of files; here: that no option of it is unknown.
+TEST(RunConfig, TheFirstCommandsOfEveryProgramAreUnderstood)
+{
+	const auto none = freshFolder() / "none";
+	const std::string file = (none / "my.rawlog").string();
+	const std::string out = (none / "out").string();
+	EXPECT_EQ(exploreMrpt({"--ini", "corridor.ini", "--rawlog", file, "--out", out}).exit_code, 3);
+	EXPECT_EQ(exploreRawlog({"info", file}).exit_code, 3);
+	EXPECT_EQ(exploreRawlog({"import", "--png", none.string(), "--intrinsics", "525,525,319.5,239.5", "--out", file})
+	              .exit_code,
+	          3);
+	EXPECT_EQ(exploreEval({file, "--ini", "corridor.ini", "--out", out}).exit_code, 3);
+	EXPECT_EQ(exploreEval({"compare", out, file}).exit_code, 3);
 }
 
 TEST(RunConfig, DumpedConfigurationLoadsBack)

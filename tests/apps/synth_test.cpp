@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "apps/program.h"
+#include "apps/rawlog_program.h"
 
 using namespace explore::test;
 using testing::AllOf;
@@ -16,11 +17,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-ProgramResult exploreRawlog(const std::vector<std::string>& arguments, const Program::Setup& setup = {})
-{
-	return Program(EXPLORE_RAWLOG_PROGRAM, arguments, setup).wait();
-}
-
 ProgramResult synth(const fs::path& out, std::vector<std::string> more)
 {
 	more.insert(more.begin(), {"synth", "--size", "160", "--seed", "4", "--out", out.string()});

@@ -1,5 +1,5 @@
 // explore-rawlog info of a simulated world, as a user runs it.
-#include "apps/program.h"
+#include "apps/rawlog_program.h"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ namespace
 ProgramResult infoOf(const fs::path& file)
 {
 	::setenv("XDG_CACHE_HOME", (testFolder() / "cache").c_str(), 1);
-	return Program(EXPLORE_RAWLOG_PROGRAM, {"info", file.string()}, {}).wait();
+	return exploreRawlog({"info", file.string()});
 }
 }  // namespace
 

@@ -1,5 +1,6 @@
 // The programs with a camera, as a user runs them: processes, files and exit codes.
 #include "apps/program.h"
+#include "apps/rawlog_program.h"
 #include "openni2/virtual_camera.h"
 #include "support/test_sockets.h"
 
@@ -41,11 +42,6 @@ Arguments withCamera(Arguments arguments)
 Arguments explored(const std::filesystem::path& out)
 {
 	return withCamera({"--out", out.string(), "--set", "output.pictures_every=0"});
-}
-
-ProgramResult exploreRawlog(const Arguments& arguments)
-{
-	return Program(EXPLORE_RAWLOG_PROGRAM, arguments, {}).wait();
 }
 
 /** Whether `path` gets at least `lines` lines in time. */
