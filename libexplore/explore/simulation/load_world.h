@@ -22,8 +22,8 @@ struct WorldPaths
 WorldPaths usualWorldPaths();
 
 /** The world in `path`, labels included: from our plugin elements, then from the labels file. What is not
- *  supported or broken is left out and named in World::warnings. One geometry, that of the <visual>s, is both seen and
- *  solid; everything but actors and our own <moving> labels stands still. Throws InputError, which names file, line and
- *  reason, when no usable world remains or a label is wrong. */
+ *  supported or broken is left out and named in World::warnings. One geometry, that of the `<visual>`s, is both seen
+ * and solid; everything but actors and our own `<moving>` labels stands still. Throws InputError, which names file,
+ * line and reason, when no usable world remains or a label is wrong. */
 World loadWorld(const std::filesystem::path& path, const WorldPaths& paths);
 }  // namespace explore::simulation

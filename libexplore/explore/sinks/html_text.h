@@ -9,8 +9,8 @@ namespace explore
 /** With & < > and " as entities: for text and for attributes in double quotes. */
 std::string escapedHtml(std::string_view text);
 
-/** JSON that may stand inside <script>: every < as \u003c, which JSON takes for the same, so that no text in it can end
- *  the element. */
+/** JSON that may stand inside `<script>`: every `<` as `\u003c`, which JSON takes for the same, so that no text in it
+ * can end the element. */
 std::string jsonInScript(std::string json);
 
 /** RFC 4648, with padding. */

@@ -8,8 +8,8 @@
 
 namespace explore
 {
-/** The folder with the external files of `rawlog`: `configured` where given, else <name>_Images beside the log (as
- *  rawlog-grabber and rawlog-edit name it), else <name>_images or Images, else the log's own folder. */
+/** The folder with the external files of `rawlog`: `configured` where given, else `<name>_Images` beside the log (as
+ *  rawlog-grabber and rawlog-edit name it), else `<name>_images` or Images, else the log's own folder. */
 std::filesystem::path imagesFolderOf(const std::filesystem::path& rawlog, const std::string& configured);
 
 /** Loads what `observation` stores externally, relative names from `folder`. Throws UnusableFrame that names the file

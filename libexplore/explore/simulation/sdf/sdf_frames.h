@@ -6,7 +6,7 @@
 
 namespace explore::simulation
 {
-/** Rewrites the poses of `world` (includes expanded) that use frames (`relative_to`, <frame>, `placement_frame`) so
+/** Rewrites the poses of `world` (includes expanded) that use frames (`relative_to`, `<frame>`, `placement_frame`) so
  * that each is relative to the element around it. What libsdformat cannot resolve is taken as written, with a warning.
  */
 void resolveFrames(XmlNode& world, Warnings& warnings);

@@ -22,6 +22,6 @@ struct WorldState
 	std::vector<const XmlNode*> inserted;  ///< models inside the world's tree
 };
 
-/** Of all <state> elements in `world`; a broken pose is left out with a warning. */
+/** Of all `<state>` elements in `world`; a broken pose is left out with a warning. */
 WorldState stateOf(const XmlNode& world, Warnings& warnings);
 }  // namespace explore::simulation

@@ -10,7 +10,8 @@ namespace explore::simulation
 /** The attribute of a model or actor that says which file it came from; no XML file can contain it. */
 inline constexpr std::string_view kFileAttribute = "<file>";
 
-/** The <world> of the SDF file at `path`, all of its <include>s replaced by what they include. What cannot be included
- * is left out with a warning. Throws InputError for a file that cannot be read, is no XML, or holds no world. */
+/** The `<world>` of the SDF file at `path`, all of its `<include>`s replaced by what they include. What cannot be
+ * included is left out with a warning. Throws InputError for a file that cannot be read, is no XML, or holds no world.
+ */
 XmlNode readWorldTree(const std::filesystem::path& path, Resources& resources, Warnings& warnings);
 }  // namespace explore::simulation

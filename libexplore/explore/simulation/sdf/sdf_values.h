@@ -22,9 +22,9 @@ Eigen::VectorXd vectorAt(const XmlNode& node, std::string_view child, const Eige
 /** "true" or "1". */
 bool flagAt(const XmlNode& node, std::string_view child);
 
-/** parent_from_element of the <pose> in `node` (x y z roll pitch yaw, or with the attributes `degrees` and
+/** parent_from_element of the `<pose>` in `node` (x y z roll pitch yaw, or with the attributes `degrees` and
  *  `rotation_format`); identity when there is none. Throws InputError when it is not six (seven) finite numbers. */
 Eigen::Isometry3d poseOf(const XmlNode& node);
-/** The text of a <pose>. */
+/** The text of a `<pose>`. */
 std::string poseText(const Eigen::Isometry3d& parent_from_element);
 }  // namespace explore::simulation

@@ -6,7 +6,7 @@
 
 namespace explore::simulation
 {
-/** Warns of every element in the <world> `tree` that would change what is seen in Gazebo but is not supported here, and
- *  of those that SDF does not have. */
+/** Warns of every element in the `<world>` `tree` that would change what is seen in Gazebo but is not supported here,
+ * and of those that SDF does not have. */
 void warnAboutVocabulary(const XmlNode& tree, Warnings& warnings);
 }  // namespace explore::simulation

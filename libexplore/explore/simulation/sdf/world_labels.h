@@ -6,7 +6,7 @@
 
 namespace explore::simulation
 {
-/** Whether `plugin` is our <plugin name="explore_labels">. */
+/** Whether `plugin` is our `<plugin name="explore_labels">`. */
 bool holdsLabels(const XmlNode& plugin);
 
 /** Adds the labels in `labels` (doc/worlds.md has their attributes) to `world`. Throws InputError "`file`:line:

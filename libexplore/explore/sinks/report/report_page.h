@@ -27,8 +27,8 @@ struct ReportEnd
 };
 
 /** The page. Where it would be too large, cameras, then plans, are shown half as often, and again. What the clock told
- *  is in its noscript, #summary and #timing elements alone; all else is the same for the same run. Throws OutputError
- *  where the log is not what was written. */
+ *  is in its `noscript`, `#summary` and `#timing` elements alone; all else is the same for the same run. Throws
+ * OutputError where the log is not what was written. */
 std::string reportPage(const ReportLog& log, const ReportSizes& sizes, const ReportEnd& end);
 
 /** Of at most 300 stretches of equally many frames, by stage: median and largest time [ms]. {"frames": of a stretch,
