@@ -1,4 +1,5 @@
 #include <explore-mrpt/run_outputs.h>
+#include <explore/sinks/doors_geojson.h>
 #include <explore/sinks/json_lines.h>
 #include <explore/sinks/trajectory.h>
 
@@ -99,6 +100,7 @@ void RunOutputs::finish(const RunSummary& summary, const TimingRecord& timing, c
 	if (m_trajectory) m_trajectory->close();
 	if (m_truth) m_truth->close();
 	if (m_paths) writeFileAtomically(m_paths->summary, summaryJson(summary));
+	if (m_paths && state.memory) writeFileAtomically(m_paths->doors, doorsGeoJson(*state.memory));
 	if (m_report) writeFileAtomically(m_paths->report, m_report->page(summary, timing, state));
 }
 

@@ -43,6 +43,28 @@ std::vector<Eigen::Vector2d> placesIn(const fs::path& tum)
 	return places;
 }
 
+/** The middles of the lines of open doors. */
+std::vector<Eigen::Vector2d> openDoorsIn(const fs::path& geojson)
+{
+	std::vector<Eigen::Vector2d> middles;
+	const json all = json::parse(readFile(geojson));
+	for (const json& feature : all["features"])
+	{
+		if (feature["properties"]["kind"] != "door" || feature["properties"]["verdict"] != "open") continue;
+		const json& line = feature["geometry"]["coordinates"];
+		middles.emplace_back((line[0][0].get<double>() + line[1][0].get<double>()) / 2,
+		                     (line[0][1].get<double>() + line[1][1].get<double>()) / 2);
+	}
+	return middles;
+}
+
+/** Matches a place less than 10 cm from this one. */
+auto near(double x, double y)
+{
+	return testing::ResultOf([x, y](const Eigen::Vector2d& place) { return (place - Eigen::Vector2d(x, y)).norm(); },
+	                         testing::Lt(0.1));
+}
+
 void expectSafeAndHome(const json& summary)
 {
 	EXPECT_EQ(summary["truth"]["collisions"], 0);
@@ -79,6 +101,10 @@ TEST(Exploration, ComesHomeWithAllOfTheBuilding)
 	EXPECT_FALSE(map->isNodeOccupied(start));
 	EXPECT_EQ(readFile(out / "map.pgm").substr(0, 2), "P5");
 	EXPECT_TRUE(fs::exists(out / "map.yaml"));
+
+	EXPECT_THAT(openDoorsIn(out / "doors.geojson"),
+	            testing::UnorderedElementsAre(near(1.55, 0.76), near(4.65, 0.76), near(3.75, -0.76)))
+	    << "as the world's file has them";
 }
 
 TEST(Exploration, TheSameCommandGivesTheSameFrames)

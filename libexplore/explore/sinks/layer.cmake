@@ -11,7 +11,7 @@ explore_layer(robot_link FOLDER sinks
 explore_layer(sinks
   SOURCES output_config.cpp output_file.cpp output_folder.cpp json_lines.cpp stage_clock.cpp timing_csv.cpp
           trajectory.cpp exploration_summary.cpp summary.cpp progress.cpp canvas.cpp picture_style.cpp camera_projection.cpp camera_view.cpp
-          plan_view.cpp frame_picture.cpp map_files.cpp html_text.cpp
+          plan_view.cpp frame_picture.cpp map_files.cpp html_text.cpp doors_geojson.cpp
           report/depth_picture.cpp report/camera_record.cpp report/plan_grid.cpp report/plan_record.cpp report/thinning.cpp
           report/report_log.cpp report/report_recorder.cpp report/report_page.cpp
   LINKS explore_robot_link explore::pipeline explore::memory nlohmann_json::nlohmann_json mrpt::img mrpt::obs)

@@ -73,14 +73,15 @@ OutputPaths outputPaths(const fs::path& folder)
 	        folder / "map.yaml",
 	        folder / "state" / "checkpoint",
 	        folder / "report.html",
-	        folder / "state" / "report"};
+	        folder / "state" / "report",
+	        folder / "doors.geojson"};
 }
 
 OutputPaths continueOutputFolder(const fs::path& folder)
 {
 	OutputPaths paths = outputPaths(folder);
 	for (const fs::path* file :
-	     {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml, &paths.report})
+	     {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml, &paths.report, &paths.doors})
 		removeOldFile(*file);
 	return paths;
 }

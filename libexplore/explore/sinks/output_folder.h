@@ -10,7 +10,7 @@ namespace explore
 struct OutputPaths
 {
 	std::filesystem::path folder, frames, timing, summary, trajectory, pictures, truth, map_ot, map_bt, map_pgm,
-	    map_yaml, state, report, report_log;
+	    map_yaml, state, report, report_log, doors;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
 
