@@ -15,7 +15,7 @@ demo_packages=(
 # chromium is what the test of report.html looks at it with.
 test_packages=("${demo_packages[@]}" libgtest-dev libgmock-dev mrpt-common chromium)
 ci_packages=("${test_packages[@]}" clang-format clang-tidy libbenchmark-dev
-	help2man dpkg-dev file lintian bash-completion doxygen)
+	help2man dpkg-dev file lintian bash-completion doxygen libmrpt-hwdrivers-dev mrpt-apps)
 
 usage()
 {
