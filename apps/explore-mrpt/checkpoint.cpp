@@ -21,7 +21,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
 /** The first line of the file: states of other versions have other fields. */
 std::string headLine()
 {
-	return "explore-mrpt state 3 of version " + version() + "\n";
+	return "explore-mrpt state 4 of version " + version() + "\n";
 }
 
 /** What stands between the first line and the packed bytes. */

@@ -101,13 +101,14 @@ RunSummary summaryOf(Run& run, const std::string& reason)
 	        run.truth.summary(run.state.memory ? &run.state.memory->map.tree() : nullptr)};
 }
 
-/** What is known of the building so far, where there is a memory. */
+/** What is known of the building so far, where there is a memory, and the scene. */
 void writeMap(Run& run)
 {
-	if (!run.state.memory) return;
 	const ExplorerConfig& config = run.config.explorer;
-	run.outputs.writeMap(run.state.memory->map.tree(),
-	                     {config.memory.layers.floor_z_m, config.memory.layers.lowest_m, config.robot.height_m});
+	if (run.state.memory)
+		run.outputs.writeMap(run.state.memory->map.tree(),
+		                     {config.memory.layers.floor_z_m, config.memory.layers.lowest_m, config.robot.height_m});
+	run.outputs.writeScene(run.state);
 }
 
 /** Explores and writes the summary, also when it ends in an error, which is passed on. */

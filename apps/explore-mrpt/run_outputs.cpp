@@ -1,6 +1,7 @@
 #include <explore-mrpt/run_outputs.h>
 #include <explore/sinks/doors_geojson.h>
 #include <explore/sinks/json_lines.h>
+#include <explore/sinks/scene/run_scene.h>
 #include <explore/sinks/trajectory.h>
 
 namespace explore::app
@@ -37,11 +38,13 @@ ReportRecorder openReport(const std::filesystem::path& log, const ExplorerConfig
 }  // namespace
 
 RunOutputs::RunOutputs(const Options& options, const AppConfig& config, const std::optional<OutputSizes>& continued)
-    : m_paths(makeFolder(options, continued.has_value())),
+    : m_config(config.explorer),
+      m_paths(makeFolder(options, continued.has_value())),
       m_frames(m_paths ? open(m_paths->frames, continued, &OutputSizes::frames) : OutputFile::standardOutput())
 {
 	if (!m_paths) return;
 	const OutputConfig& output = config.output;
+	m_scene = output.scene;
 	if (output.timing) m_timing.emplace(openTiming(m_paths->timing, continued));
 	if (output.trajectory) m_trajectory.emplace(open(m_paths->trajectory, continued, &OutputSizes::trajectory));
 	if (output.trajectory && config.source.kind == SourceKind::simulator)
@@ -68,6 +71,7 @@ void RunOutputs::write(const DepthFrame& frame, const StepResult& result)
 	m_frames.write(frameLine(frame, result));
 	if (m_trajectory) m_trajectory->write(trajectoryLine(frame));
 	if (m_pictures) m_pictures->write(frame, result);
+	if (m_scene) m_last = sketchOf(frame, result, m_config.perception.range_filter.max_range_m);
 }
 
 void RunOutputs::writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
@@ -91,6 +95,24 @@ void RunOutputs::writeMap(const octomap::OcTree& map, const FloorBand& band)
 	if (!m_paths) return;
 	writeOctrees(map, m_paths->folder);
 	writeFloorMap(floorMap(map, band), m_paths->folder);
+}
+
+void RunOutputs::writeScene(const ExplorerState& state)
+{
+	if (!m_scene || !m_last) return;
+	RunSceneParts parts;
+	parts.last = &*m_last;
+	if (state.memory)
+	{
+		parts.map = &state.memory->map.tree();
+		parts.memory = state.memory.get();
+		parts.mission = &state.mission;
+		if (m_trajectory) parts.path_in_map = placesOfTrajectory(m_paths->trajectory);
+	}
+	RunSceneConfig config;
+	config.robot = m_config.robot;
+	config.floor_z_m = m_config.memory.layers.floor_z_m;
+	explore::writeScene(runScene(parts, config), m_paths->scene);
 }
 
 void RunOutputs::finish(const RunSummary& summary, const TimingRecord& timing, const ExplorerState& state)

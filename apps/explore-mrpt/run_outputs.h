@@ -9,6 +9,7 @@
 #include <explore/sinks/output_file.h>
 #include <explore/sinks/output_folder.h>
 #include <explore/sinks/report/report_recorder.h>
+#include <explore/sinks/scene/frame_sketch.h>
 #include <explore/sinks/summary.h>
 #include <explore/sinks/timing_csv.h>
 
@@ -35,17 +36,28 @@ public:
 	void writeTruth(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& true_map_from_robot);
 	/** The map as it is in the end: map.ot, map.bt, and what of it is in `band` as map.pgm and map.yaml. */
 	void writeMap(const octomap::OcTree& map, const FloorBand& band);
+	/** scene.3Dscene, of what is known after the last frame. */
+	void writeScene(const ExplorerState& state);
 	/** Closes the files and writes the summary and the report, where there is a folder. */
 	void finish(const RunSummary& summary, const TimingRecord& timing, const ExplorerState& state);
 	/** What only a run that goes on needs is not needed any more. */
 	void forgetReportLog();
+	/** Writes or reads what goes on from frame to frame and is in none of the files. */
+	template <class Archive>
+	void exchange(Archive& archive)
+	{
+		archive(m_last);
+	}
 
 private:
+	ExplorerConfig m_config;
 	std::optional<OutputPaths> m_paths;
 	OutputFile m_frames;
 	std::optional<TimingCsv> m_timing;
 	std::optional<OutputFile> m_trajectory, m_truth;
 	std::optional<FramePictures> m_pictures;
 	std::optional<ReportRecorder> m_report;
+	bool m_scene = false;
+	std::optional<FrameSketch> m_last;  ///< the last frame
 };
 }  // namespace explore::app

@@ -15,6 +15,7 @@ void exchangeState(Archive& archive, Run& run)
 {
 	std::vector<std::string> warnings = run.logger.warnings();
 	archive(run.tally), archive(run.timing), archive(run.truth), archive(run.depth_check), archive(warnings);
+	archive(run.outputs);
 	exchange(archive, run.state, run.config.explorer);
 	if (run.robot != nullptr) run.robot->exchange(archive);
 	if (Archive::kReads) run.logger.takeWarnings(std::move(warnings));

@@ -73,7 +73,8 @@ std::string reportIn(const fs::path& out)
 
 void expectSameResults(const fs::path& a, const fs::path& b)
 {
-	for (const char* name : {"frames.jsonl", "trajectory.tum", "truth.tum", "map.ot", "map.bt", "map.pgm", "map.yaml"})
+	for (const char* name :
+	     {"frames.jsonl", "trajectory.tum", "truth.tum", "map.ot", "map.bt", "map.pgm", "map.yaml", "scene.3Dscene"})
 		EXPECT_TRUE(readFile(a / name) == readFile(b / name)) << name;
 	EXPECT_EQ(linesOf(readFile(a / "timing.csv")).size(), linesOf(readFile(b / "timing.csv")).size());
 	EXPECT_EQ(summaryIn(a), summaryIn(b));

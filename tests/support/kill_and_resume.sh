@@ -32,7 +32,7 @@ done
 # shellcheck disable=SC2086
 "$program" $next
 
-for file in frames.jsonl trajectory.tum truth.tum map.ot map.bt map.pgm map.yaml
+for file in frames.jsonl trajectory.tum truth.tum map.ot map.bt map.pgm map.yaml scene.3Dscene
 do
 	cmp "$folder/whole/$file" "$folder/killed/$file"
 done

@@ -42,23 +42,31 @@ bool CameraProjection::shows(const Eigen::Vector3d& point_in_robot) const
 	return std::abs(depth - point.x()) < 0.1 + 0.02 * point.x();
 }
 
-std::vector<ImageSegment> CameraProjection::shownParts(const Line& line_in_robot, double reach_m) const
+std::vector<std::pair<double, double>> CameraProjection::shownStretches(const Line& line_in_robot, double reach_m) const
 {
 	constexpr double kStep_m = 0.04;
 	const auto steps = static_cast<int>(2.0 * reach_m / kStep_m);
-	const auto at = [&](int step) -> Eigen::Vector3d
-	{ return line_in_robot.point + (step * kStep_m - reach_m) * line_in_robot.direction; };
-	std::vector<ImageSegment> parts;
+	const auto along_m = [&](int step) { return step * kStep_m - reach_m; };
+	std::vector<std::pair<double, double>> stretches;
 	std::optional<int> begun;
 	for (int step = 0; step <= steps + 1; ++step)
 	{
-		const bool shown = step <= steps && shows(at(step));
+		const bool shown = step <= steps && shows(line_in_robot.point + along_m(step) * line_in_robot.direction);
 		if (shown && !begun) begun = step;
 		if (shown || !begun) continue;
-		if (const auto ends = step - 1 > *begun ? segment(at(*begun), at(step - 1)) : std::nullopt)
-			parts.push_back(*ends);
+		if (step - 1 > *begun) stretches.emplace_back(along_m(*begun), along_m(step - 1));
 		begun.reset();
 	}
+	return stretches;
+}
+
+std::vector<ImageSegment> CameraProjection::shownParts(const Line& line_in_robot, double reach_m) const
+{
+	const auto at = [&](double along_m) -> Eigen::Vector3d
+	{ return line_in_robot.point + along_m * line_in_robot.direction; };
+	std::vector<ImageSegment> parts;
+	for (const auto& [from_m, to_m] : shownStretches(line_in_robot, reach_m))
+		if (const auto ends = segment(at(from_m), at(to_m))) parts.push_back(*ends);
 	return parts;
 }
 }  // namespace explore

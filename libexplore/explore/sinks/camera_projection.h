@@ -27,7 +27,11 @@ public:
 	                                                  const Eigen::Vector3d& b_in_robot) const;
 	/** True where the depth image measures this very point. */
 	[[nodiscard]] bool shows(const Eigen::Vector3d& point_in_robot) const;
-	/** The stretches of a line that the image shows, up to `reach_m` either way from its point, one after the other. */
+	/** The stretches of a line that the image shows, up to `reach_m` either way from its point: where they begin and
+	 * end along its direction [m], one after the other. */
+	[[nodiscard]] std::vector<std::pair<double, double>> shownStretches(const Line& line_in_robot,
+	                                                                    double reach_m) const;
+	/** The same in the image. */
 	[[nodiscard]] std::vector<ImageSegment> shownParts(const Line& line_in_robot, double reach_m) const;
 
 private:

@@ -93,11 +93,8 @@ void drawHeadings(Canvas& canvas, const View& view, const StepResult& result)
 	{
 		const auto ends = view.segment(arrow.from_in_robot, arrow.to_in_robot);
 		if (!ends || arrow.kind == HeadingKind::avoid) continue;
-		const bool chosen = arrow.kind == HeadingKind::chosen;
-		const auto& color = chosen                            ? style::kChosen
-		                    : arrow.kind == HeadingKind::door ? style::kDoorHeading
-		                                                      : style::kVanishingPoint;
-		canvas.arrow(ends->first, ends->second, chosen ? 7.0 : 4.0, {color});
+		canvas.arrow(ends->first, ends->second, arrow.kind == HeadingKind::chosen ? 7.0 : 4.0,
+		             {style::headingColor(arrow.kind)});
 	}
 }
 }  // namespace

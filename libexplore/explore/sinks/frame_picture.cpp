@@ -28,14 +28,6 @@ std::string title(const DepthFrame& frame, const StepResult& result)
 	return text;
 }
 
-std::string decisionText(const Decision& decision)
-{
-	if (decision.stop) return "STOP: " + std::string(nameOf(decision.stop_reason));
-	constexpr double kDegrees = 57.29577951308232;
-	return mrpt::format("%+.0f deg, free %.1f m, %.2f m/s", kDegrees * decision.headings.chosen_rad.value_or(0.0),
-	                    decision.open_path_m, decision.command.velocity_mps.norm());
-}
-
 void drawTitle(Canvas& canvas, const std::string& title, const Decision& decision)
 {
 	canvas.text({8, 8}, title, style::kText);

@@ -74,14 +74,15 @@ OutputPaths outputPaths(const fs::path& folder)
 	        folder / "state" / "checkpoint",
 	        folder / "report.html",
 	        folder / "state" / "report",
-	        folder / "doors.geojson"};
+	        folder / "doors.geojson",
+	        folder / "scene.3Dscene"};
 }
 
 OutputPaths continueOutputFolder(const fs::path& folder)
 {
 	OutputPaths paths = outputPaths(folder);
-	for (const fs::path* file :
-	     {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml, &paths.report, &paths.doors})
+	for (const fs::path* file : {&paths.summary, &paths.map_ot, &paths.map_bt, &paths.map_pgm, &paths.map_yaml,
+	                             &paths.report, &paths.doors, &paths.scene})
 		removeOldFile(*file);
 	return paths;
 }

@@ -10,7 +10,7 @@ namespace explore
 struct OutputPaths
 {
 	std::filesystem::path folder, frames, timing, summary, trajectory, pictures, truth, map_ot, map_bt, map_pgm,
-	    map_yaml, state, report, report_log, doors;
+	    map_yaml, state, report, report_log, doors, scene;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
 

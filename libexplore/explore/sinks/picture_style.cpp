@@ -28,6 +28,68 @@ mrpt::img::TColor style::depthColor(double share)
 	        static_cast<std::uint8_t>(mixed.z())};
 }
 
+mrpt::img::TColor style::heightColor(double height_m)
+{
+	constexpr double kTop_m = 2.5, kDarkest = 0.55;  // pale at the top, not too dark for the panel at the floor
+	return depthColor(kDarkest * (1.0 - height_m / kTop_m));
+}
+
+mrpt::img::TColor style::verdictColor(Verdict verdict)
+{
+	switch (verdict)
+	{
+		case Verdict::open:
+			return {0, 158, 115};
+		case Verdict::ajar:
+			return {240, 228, 66};
+		case Verdict::closed:
+			return {213, 94, 0};
+		case Verdict::blocked:
+			return {230, 159, 0};
+		case Verdict::passage:
+			return {86, 180, 233};
+		case Verdict::drop:
+			return {204, 121, 167};
+		case Verdict::partial:
+			return {0, 114, 178};
+		case Verdict::unknown:
+			break;
+	}
+	return {138, 147, 163};
+}
+
+mrpt::img::TColor style::headingColor(HeadingKind kind)
+{
+	switch (kind)
+	{
+		case HeadingKind::vanishing_point:
+			return kVanishingPoint;
+		case HeadingKind::door:
+			return kDoorHeading;
+		case HeadingKind::avoid:
+			return kAvoid;
+		case HeadingKind::chosen:
+			break;
+	}
+	return kChosen;
+}
+
+std::string_view nameOf(HeadingKind kind)
+{
+	switch (kind)
+	{
+		case HeadingKind::vanishing_point:
+			return "vanishing_point";
+		case HeadingKind::door:
+			return "door";
+		case HeadingKind::avoid:
+			return "avoid";
+		case HeadingKind::chosen:
+			break;
+	}
+	return "chosen";
+}
+
 Eigen::Vector3d floorPoint(const std::optional<Ground>& ground, double heading_rad, double distance_m)
 {
 	return onFloor(ground, {distance_m * std::cos(heading_rad), distance_m * std::sin(heading_rad), 0.0});
@@ -69,5 +131,13 @@ std::string doorLabel(const Door& door)
 {
 	const std::string name = door.verdict == Verdict::open ? "door" : std::string(nameOf(door.verdict));
 	return mrpt::format("%s %.2f m", name.c_str(), door.width_m);
+}
+
+std::string decisionText(const Decision& decision)
+{
+	if (decision.stop) return "STOP: " + std::string(nameOf(decision.stop_reason));
+	constexpr double kDegrees = 57.29577951308232;
+	return mrpt::format("%+.0f deg, free %.1f m, %.2f m/s", kDegrees * decision.headings.chosen_rad.value_or(0.0),
+	                    decision.open_path_m, decision.command.velocity_mps.norm());
 }
 }  // namespace explore

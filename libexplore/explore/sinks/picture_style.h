@@ -8,6 +8,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace explore
@@ -42,10 +43,15 @@ using mrpt::img::TColor;
 inline const TColor kPaper(18, 21, 28), kPanel(27, 31, 41), kGrid(52, 59, 74), kText(214, 219, 229),
     kFaint(128, 137, 154);
 inline const TColor kDoor(240, 84, 70), kDoorHeading(255, 209, 71), kVanishingPoint(255, 122, 198),
-    kDesired(240, 240, 245), kChosen(74, 222, 128), kWall(86, 190, 255), kRobot(214, 219, 229);
+    kAvoid(255, 148, 54), kDesired(240, 240, 245), kChosen(74, 222, 128), kWall(86, 190, 255), kRobot(214, 219, 229),
+    kFrontier(230, 159, 0);
 
 /** Near is pale, far is deep blue: lightness falls evenly with `share` (0–1). */
 TColor depthColor(double share);
+/** Of what is so high above the floor: paler = higher. */
+TColor heightColor(double height_m);
+/** Of Okabe and Ito's colours, which nearly everybody can tell apart; those of the report. */
+TColor verdictColor(Verdict verdict);
 }  // namespace style
 
 /** A point on the floor (where it was found; else at z = 0), `distance_m` away along `heading_rad`, robot frame. */
@@ -59,6 +65,12 @@ enum class HeadingKind
 	avoid,            ///< θ_a
 	chosen
 };
+/** As the headings of frames.jsonl are called. */
+[[nodiscard]] std::string_view nameOf(HeadingKind kind);
+namespace style
+{
+TColor headingColor(HeadingKind kind);
+}  // namespace style
 
 /** An arrow on the floor in front of the robot. */
 struct HeadingArrow
@@ -77,4 +89,7 @@ DoorMark markOf(const Door& door, const std::optional<Ground>& ground);
 
 /** "door 0.92 m", with the verdict where it is not `open`. */
 std::string doorLabel(const Door& door);
+
+/** The chosen heading, how far it is free and how fast, or why the robot stops. */
+std::string decisionText(const Decision& decision);
 }  // namespace explore

@@ -60,12 +60,11 @@ void drawFieldOfView(Canvas& canvas, const Plan& plan, const DepthFrame& frame, 
 
 void drawObstacles(Canvas& canvas, const Plan& plan, const Percepts& percepts)
 {
-	constexpr double kTop_m = 2.5, kDarkest = 0.55;  // pale at the top, not too dark for the panel at the floor
 	for (std::size_t i = 0; i < percepts.obstacles_in_robot.size(); ++i)
 	{
 		const Eigen::Vector3d point = percepts.obstacles_in_robot[i].cast<double>();
 		const double height_m = percepts.ground ? percepts.ground->plane.signedDistance(point) : point.z();
-		canvas.disc(plan.at(point), 1.3, {style::depthColor(kDarkest * (1.0 - height_m / kTop_m)), 0.7});
+		canvas.disc(plan.at(point), 1.3, {style::heightColor(height_m), 0.7});
 	}
 }
 
