@@ -102,7 +102,7 @@ void syncOutputs(const fs::path& folder, const OutputSizes& sizes)
 	};
 	sync(paths.frames, sizes.frames), sync(paths.timing, sizes.timing);
 	sync(paths.trajectory, sizes.trajectory), sync(paths.truth, sizes.truth);
-	sync(paths.report_log, sizes.report);
+	sync(paths.report_log, sizes.report), sync(paths.annotated, sizes.annotated);
 }
 }  // namespace
 

@@ -34,7 +34,8 @@ Options continuedOptions(const Options& given, const RunBeginning& beginning);
 /** So many bytes of each file belong to the frames before the checkpoint. */
 struct OutputSizes
 {
-	std::uint64_t frames = 0, timing = 0, trajectory = 0, truth = 0, report = 0;
+	std::uint64_t frames = 0, timing = 0, trajectory = 0, truth = 0, report = 0, annotated = 0;
+	std::uint64_t annotated_inputs = 0;  ///< objects of the input in annotated.rawlog
 };
 
 struct Checkpoint

@@ -35,7 +35,11 @@ std::optional<std::string> exploreOneFrame(Run& run)
 	StageClock clock;
 	clock.start();
 	const auto frame = run.source.next();
-	if (!frame) return reasonOfEnd(run);
+	if (!frame)
+	{
+		run.outputs.writeRestOfInput();
+		return reasonOfEnd(run);
+	}
 	clock.ended("read");
 	const StepResult result =
 	    step(*frame, run.state, run.config.explorer, [&](std::string_view stage) { clock.ended(stage); });
@@ -171,8 +175,9 @@ int runFrom(const Options& options, const LoadedConfig& loaded, const Checkpoint
 	RunLink link(loaded.config.robot_link, logger);
 	RunInput input = openInput(loaded, options, logger);
 	input.source = link.linked(std::move(input.source));
-	RunOutputs outputs(options, loaded.config, checkpoint != nullptr ? std::optional(checkpoint->files) : std::nullopt);
 	RunBeginning beginning = checkpoint != nullptr ? checkpoint->beginning : beginningOf(options, loaded);
+	RunOutputs outputs(options, loaded.config, annotatedInput(beginning, loaded.config.source, input.source->report()),
+	                   checkpoint != nullptr ? std::optional(checkpoint->files) : std::nullopt);
 	beginning.max_frames = options.max_frames;
 	beginning.realtime = options.realtime;
 	CheckpointKeeper keeper(outputs.paths() ? std::optional(outputs.paths()->state) : std::nullopt,

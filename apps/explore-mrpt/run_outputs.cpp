@@ -1,4 +1,5 @@
 #include <explore-mrpt/run_outputs.h>
+#include <explore/core/errors.h>
 #include <explore/sinks/doors_geojson.h>
 #include <explore/sinks/json_lines.h>
 #include <explore/sinks/scene/run_scene.h>
@@ -8,9 +9,13 @@ namespace explore::app
 {
 namespace
 {
-std::optional<OutputPaths> makeFolder(const Options& options, bool continues)
+std::optional<OutputPaths> makeFolder(const Options& options, const AnnotatedInput& input, bool continues)
 {
 	if (options.toStandardOutput()) return std::nullopt;
+	std::error_code not_there;
+	if (std::filesystem::equivalent(outputPaths(options.out).annotated, input.rawlog, not_there))
+		throw ConfigError(input.rawlog.string() +
+		                  ": is the recording to be read and would be replaced; name another folder with --out");
 	return continues ? continueOutputFolder(options.out) : prepareOutputFolder(options.out);
 }
 
@@ -27,6 +32,14 @@ TimingCsv openTiming(const std::filesystem::path& path, const std::optional<Outp
 	return continued ? TimingCsv(path, stages, continued->timing) : TimingCsv(path, stages);
 }
 
+AnnotatedLog openAnnotated(const OutputPaths& paths, const AnnotatedInput& input, const RobotConfig& robot,
+                           const std::optional<OutputSizes>& continued)
+{
+	const AnnotatedLog::Files files{paths.annotated, paths.annotated_images};
+	if (!continued) return {files, input, robot};
+	return {files, input, robot, {continued->annotated, continued->annotated_inputs}};
+}
+
 ReportRecorder openReport(const std::filesystem::path& log, const ExplorerConfig& config,
                           const std::optional<OutputSizes>& continued)
 {
@@ -37,14 +50,16 @@ ReportRecorder openReport(const std::filesystem::path& log, const ExplorerConfig
 }
 }  // namespace
 
-RunOutputs::RunOutputs(const Options& options, const AppConfig& config, const std::optional<OutputSizes>& continued)
+RunOutputs::RunOutputs(const Options& options, const AppConfig& config, const AnnotatedInput& input,
+                       const std::optional<OutputSizes>& continued)
     : m_config(config.explorer),
-      m_paths(makeFolder(options, continued.has_value())),
+      m_paths(makeFolder(options, input, continued.has_value())),
       m_frames(m_paths ? open(m_paths->frames, continued, &OutputSizes::frames) : OutputFile::standardOutput())
 {
 	if (!m_paths) return;
 	const OutputConfig& output = config.output;
 	m_scene = output.scene;
+	if (output.annotated) m_annotated.emplace(openAnnotated(*m_paths, input, config.explorer.robot, continued));
 	if (output.timing) m_timing.emplace(openTiming(m_paths->timing, continued));
 	if (output.trajectory) m_trajectory.emplace(open(m_paths->trajectory, continued, &OutputSizes::trajectory));
 	if (output.trajectory && config.source.kind == SourceKind::simulator)
@@ -63,6 +78,11 @@ OutputSizes RunOutputs::sizes() const
 	if (m_trajectory) sizes.trajectory = m_trajectory->bytes();
 	if (m_truth) sizes.truth = m_truth->bytes();
 	if (m_report) sizes.report = m_report->bytes();
+	if (m_annotated)
+	{
+		sizes.annotated = m_annotated->place().bytes;
+		sizes.annotated_inputs = m_annotated->place().inputs;
+	}
 	return sizes;
 }
 
@@ -71,7 +91,13 @@ void RunOutputs::write(const DepthFrame& frame, const StepResult& result)
 	m_frames.write(frameLine(frame, result));
 	if (m_trajectory) m_trajectory->write(trajectoryLine(frame));
 	if (m_pictures) m_pictures->write(frame, result);
-	if (m_scene) m_last = sketchOf(frame, result, m_config.perception.range_filter.max_range_m);
+	if (m_scene || m_annotated) m_last = sketchOf(frame, result, m_config.perception.range_filter.max_range_m);
+	if (m_annotated) m_annotated->add(frame, *m_last);
+}
+
+void RunOutputs::writeRestOfInput()
+{
+	if (m_annotated) m_annotated->addRest();
 }
 
 void RunOutputs::writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
@@ -121,6 +147,7 @@ void RunOutputs::finish(const RunSummary& summary, const TimingRecord& timing, c
 	if (m_timing) m_timing->close();
 	if (m_trajectory) m_trajectory->close();
 	if (m_truth) m_truth->close();
+	if (m_annotated) m_annotated->close();
 	if (m_paths) writeFileAtomically(m_paths->summary, summaryJson(summary));
 	if (m_paths && state.memory) writeFileAtomically(m_paths->doors, doorsGeoJson(*state.memory));
 	if (m_report) writeFileAtomically(m_paths->report, m_report->page(summary, timing, state));

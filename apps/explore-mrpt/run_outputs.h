@@ -2,6 +2,7 @@
 #pragma once
 
 #include <common/app_config.h>
+#include <explore-mrpt/annotated_log.h>
 #include <explore-mrpt/checkpoint.h>
 #include <explore-mrpt/options.h>
 #include <explore/sinks/frame_picture.h>
@@ -20,8 +21,10 @@ class RunOutputs
 {
 public:
 	/** Makes the folder ready, so that an unwritable one is noticed before any work. With `continued`, goes on in the
-	 *  files of the run that is there, after so many bytes of each; throws InputError where they are not there. */
-	RunOutputs(const Options& options, const AppConfig& config, const std::optional<OutputSizes>& continued = {});
+	 *  files of the run that is there, after so many bytes of each; throws InputError where they are not there. Throws
+	 *  ConfigError where the recording is itself one of the files that are replaced. */
+	RunOutputs(const Options& options, const AppConfig& config, const AnnotatedInput& input,
+	           const std::optional<OutputSizes>& continued = {});
 
 	/** No value where there is no folder. */
 	[[nodiscard]] const std::optional<OutputPaths>& paths() const { return m_paths; }
@@ -31,6 +34,8 @@ public:
 	/** What the report shows of the frame; `state` is that after it, `coverage` that of its map where that is known. */
 	void writeReport(const DepthFrame& frame, const StepResult& result, const ExplorerState& state,
 	                 const std::optional<double>& coverage);
+	/** What of the recording came after its last frame. */
+	void writeRestOfInput();
 	void writeTimes(std::size_t frame, const StageTimes& times_ms);
 	/** A line of truth.tum. */
 	void writeTruth(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& true_map_from_robot);
@@ -57,6 +62,7 @@ private:
 	std::optional<OutputFile> m_trajectory, m_truth;
 	std::optional<FramePictures> m_pictures;
 	std::optional<ReportRecorder> m_report;
+	std::optional<AnnotatedLog> m_annotated;
 	bool m_scene = false;
 	std::optional<FrameSketch> m_last;  ///< the last frame
 };

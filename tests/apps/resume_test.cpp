@@ -29,8 +29,15 @@ const Arguments kSimulated{"--ini",
                            "output.checkpoint_period=0.05",
                            "--set",
                            "simulator.pose=odometry"};
-const Arguments kRecorded{
-    "--ini", "office.ini", "--set", "source.rawlog=office.rawlog", "--quiet", "--set", "output.checkpoint_period=0.05"};
+const Arguments kRecorded{"--ini",
+                          "office.ini",
+                          "--set",
+                          "source.rawlog=office.rawlog",
+                          "--quiet",
+                          "--set",
+                          "output.checkpoint_period=0.05",
+                          "--set",
+                          "output.annotated=true"};
 
 Arguments into(Arguments arguments, const fs::path& out)
 {
@@ -73,8 +80,8 @@ std::string reportIn(const fs::path& out)
 
 void expectSameResults(const fs::path& a, const fs::path& b)
 {
-	for (const char* name :
-	     {"frames.jsonl", "trajectory.tum", "truth.tum", "map.ot", "map.bt", "map.pgm", "map.yaml", "scene.3Dscene"})
+	for (const char* name : {"frames.jsonl", "trajectory.tum", "truth.tum", "map.ot", "map.bt", "map.pgm", "map.yaml",
+	                         "scene.3Dscene", "annotated.rawlog"})
 		EXPECT_TRUE(readFile(a / name) == readFile(b / name)) << name;
 	EXPECT_EQ(linesOf(readFile(a / "timing.csv")).size(), linesOf(readFile(b / "timing.csv")).size());
 	EXPECT_EQ(summaryIn(a), summaryIn(b));

@@ -11,8 +11,9 @@
 #include <gmock/gmock.h>
 #include <mrpt/opengl/CArrow.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
-#include <mrpt/opengl/CPointCloud.h>
+#include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/CSetOfTriangles.h>
 #include <mrpt/opengl/CText.h>
 
 #include <chrono>
@@ -142,7 +143,8 @@ TEST(Scene, HoldsWhatTheSummaryTells)
 	EXPECT_GT(find<CSetOfLines>(scene, "frontiers")->size(), 10U);
 	const auto last = find<CSetOfObjects>(scene, "last_frame");
 	EXPECT_NEAR(last->getPose().x, 1.3, 1e-6);
-	for (const char* name : {"grid", "home", "robot", "heading.chosen"}) EXPECT_TRUE(scene.getByName(name)) << name;
+	for (const char* name : {"grid", "home", "path.bars", "robot", "heading.chosen"})
+		EXPECT_TRUE(scene.getByName(name)) << name;
 	EXPECT_FALSE(scene.getByName("frame.cloud"));
 }
 
@@ -152,7 +154,7 @@ TEST(Scene, WithoutPosesThereIsTheLastFrame)
 	ASSERT_EQ(drive.state.memory, nullptr);
 	COpenGLScene scene = readBack(runScene(drive.parts(), {}));
 	for (const char* name : {"map", "doors", "path", "home"}) EXPECT_FALSE(scene.getByName(name)) << name;
-	const auto cloud = find<mrpt::opengl::CPointCloud>(scene, "frame.cloud");
+	const auto cloud = find<mrpt::opengl::CPointCloudColoured>(scene, "frame.cloud");
 	EXPECT_GT(cloud->size(), 1000U);
 	EXPECT_LT(cloud->size(), 6000U);
 	EXPECT_EQ(find<CSetOfObjects>(scene, "last_frame")->getPose().x, 0.0);
@@ -207,12 +209,14 @@ TEST(Scene, EveryVerdictHasAColourAndAShapeOfItsOwn)
 		std::size_t part = 0;
 		for (const auto& object : *door)
 		{
-			const auto bars = std::dynamic_pointer_cast<CSetOfObjects>(object);
+			const auto bars = std::dynamic_pointer_cast<mrpt::opengl::CSetOfTriangles>(object);
 			if (!bars || part++ == 0) continue;  // the edges
-			for (const auto& bar : *bars)
+			color = bars->getColor_u8();
+			for (std::size_t i = 0; i < bars->getTrianglesCount(); ++i)
 			{
-				shape += bar->getBoundingBox().asString();
-				color = bar->getColor_u8();
+				mrpt::opengl::TTriangle triangle;
+				bars->getTriangle(i, triangle);
+				shape += triangle.vertices[0].xyzrgba.pt.asString();
 			}
 		}
 		colors.emplace(color.R, color.G, color.B);

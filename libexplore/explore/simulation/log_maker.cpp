@@ -1,3 +1,4 @@
+#include <explore/core/depth_counts.h>
 #include <explore/simulation/log_maker.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationIMU.h>
@@ -5,7 +6,6 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -15,15 +15,6 @@ namespace explore::simulation
 namespace
 {
 using mrpt::obs::CObservation3DRangeScan;
-
-constexpr double kCountsPerMetre = 1000.0;
-
-std::uint16_t countsOf(float depth_m)
-{
-	const double counts = std::round(kCountsPerMetre * static_cast<double>(depth_m));
-	return counts > 0.0 && counts <= kCountsPerMetre * kFarthestDepth_m ? static_cast<std::uint16_t>(counts)
-	                                                                    : std::uint16_t{0};
-}
 
 mrpt::img::TCamera cameraOf(const CameraIntrinsics& intrinsics)
 {
@@ -38,11 +29,11 @@ void addDepth(CObservation3DRangeScan& scan, const DepthImage& depth)
 {
 	scan.hasRangeImage = true;
 	scan.range_is_depth = true;
-	scan.rangeUnits = static_cast<float>(1.0 / kCountsPerMetre);
+	scan.rangeUnits = static_cast<float>(1.0 / kDepthCountsPerMetre);
 	const int width = depth.intrinsics.width_px, height = depth.intrinsics.height_px;
 	scan.rangeImage_setSize(height, width);
 	for (int v = 0; v < height; ++v)
-		for (int u = 0; u < width; ++u) scan.rangeImage(v, u) = countsOf(depth.at(u, v));
+		for (int u = 0; u < width; ++u) scan.rangeImage(v, u) = depthCountsOf(depth.at(u, v));
 }
 
 void addColor(CObservation3DRangeScan& scan, const CameraShot& shot)

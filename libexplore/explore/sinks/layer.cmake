@@ -15,6 +15,6 @@ explore_layer(sinks
           plan_view.cpp frame_picture.cpp map_files.cpp html_text.cpp doors_geojson.cpp
           report/depth_picture.cpp report/camera_record.cpp report/plan_grid.cpp report/plan_record.cpp report/thinning.cpp
           report/report_log.cpp report/report_recorder.cpp report/report_page.cpp
-          scene/shapes.cpp scene/frame_sketch.cpp scene/run_scene.cpp
+          scene/shapes.cpp scene/frame_sketch.cpp scene/run_scene.cpp annotations.cpp
   LINKS explore_robot_link explore::pipeline explore::memory nlohmann_json::nlohmann_json mrpt::img mrpt::obs mrpt::opengl)
 include(${CMAKE_CURRENT_LIST_DIR}/report/page_parts.cmake)

@@ -75,7 +75,9 @@ OutputPaths outputPaths(const fs::path& folder)
 	        folder / "report.html",
 	        folder / "state" / "report",
 	        folder / "doors.geojson",
-	        folder / "scene.3Dscene"};
+	        folder / "scene.3Dscene",
+	        folder / "annotated.rawlog",
+	        folder / "annotated_Images"};
 }
 
 OutputPaths continueOutputFolder(const fs::path& folder)
@@ -91,7 +93,9 @@ OutputPaths prepareOutputFolder(const fs::path& folder)
 {
 	makeFolder(folder);
 	OutputPaths paths = continueOutputFolder(folder);
-	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.trajectory, &paths.truth}) removeOldFile(*file);
+	for (const fs::path* file : {&paths.frames, &paths.timing, &paths.trajectory, &paths.truth, &paths.annotated})
+		removeOldFile(*file);
+	if (fs::is_symlink(paths.annotated_images)) removeOldFile(paths.annotated_images);
 	removeOldFiles(paths.state.parent_path(), isStateOfOurs);
 	removeOldFiles(paths.pictures, isPictureOfOurs);
 	return paths;

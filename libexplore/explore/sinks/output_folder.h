@@ -6,11 +6,12 @@
 
 namespace explore
 {
-/** The files of one run below its folder. `report_log` is what `report` is made of in the end. */
+/** The files of one run below its folder. `report_log` is what `report` is made of in the end; `annotated_images` is a
+ *  link to the folder that external images of `annotated` are in. */
 struct OutputPaths
 {
 	std::filesystem::path folder, frames, timing, summary, trajectory, pictures, truth, map_ot, map_bt, map_pgm,
-	    map_yaml, state, report, report_log, doors, scene;
+	    map_yaml, state, report, report_log, doors, scene, annotated, annotated_images;
 };
 OutputPaths outputPaths(const std::filesystem::path& folder);
 

@@ -6,7 +6,9 @@
 #include <explore/sources/unusable_frame.h>
 #include <mrpt/io/lazy_load_path.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 
 #include <exception>
 #include <vector>
@@ -82,6 +84,20 @@ fs::path imagesFolderOf(const fs::path& rawlog, const std::string& configured)
 		if (fs::is_directory(beside / name, error)) return beside / name;
 	}
 	return beside;
+}
+
+bool storesExternally(const mrpt::obs::CObservation& observation)
+{
+	if (!externalFilesOf(observation).empty()) return true;
+	if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&observation))
+		return (scan->hasIntensityImage && scan->intensityImage.isExternallyStored()) ||
+		       (scan->hasConfidenceImage && scan->confidenceImage.isExternallyStored());
+	if (const auto* image = dynamic_cast<const mrpt::obs::CObservationImage*>(&observation))
+		return image->image.isExternallyStored();
+	if (const auto* stereo = dynamic_cast<const mrpt::obs::CObservationStereoImages*>(&observation))
+		return stereo->imageLeft.isExternallyStored() || stereo->imageRight.isExternallyStored() ||
+		       stereo->imageDisparity.isExternallyStored();
+	return false;
 }
 
 void loadExternalFiles(const mrpt::obs::CObservation& observation, const fs::path& folder)

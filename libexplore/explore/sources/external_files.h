@@ -12,6 +12,9 @@ namespace explore
  *  rawlog-grabber and rawlog-edit name it), else `<name>_images` or Images, else the log's own folder. */
 std::filesystem::path imagesFolderOf(const std::filesystem::path& rawlog, const std::string& configured);
 
+/** True where a part of it – ranges, points or images – is in a file of its own. */
+[[nodiscard]] bool storesExternally(const mrpt::obs::CObservation& observation);
+
 /** Loads what `observation` stores externally, relative names from `folder`. Throws UnusableFrame that names the file
  *  when it is missing or damaged. */
 void loadExternalFiles(const mrpt::obs::CObservation& observation, const std::filesystem::path& folder);

@@ -111,7 +111,7 @@ mrpt::opengl::CSetOfObjects::Ptr frameObjects(const FrameSketch& sketch, const R
 {
 	auto objects = directionObjects(sketch, robot);
 	const Percepts& percepts = sketch.result.percepts;
-	insert(*objects, "frame.cloud", scene::cloud(sketch.cloud_in_robot, 2.0));
+	insert(*objects, "frame.cloud", scene::cloud(sketch.cloud_in_robot, 3.0));
 	insert(*objects, "frame.floor_lines", scene::stretches(sketch.floor_lines_in_robot, style::kWall, 4.0));
 	for (std::size_t i = 0; i < percepts.doors.size(); ++i)
 	{

@@ -172,6 +172,24 @@ std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points,
 	if (!points.empty()) kept.push_back(points.back());
 	return kept;
 }
+
+/** So far apart that bars between them are not all joints. */
+std::vector<Eigen::Vector3d> spaced(const std::vector<Eigen::Vector3d>& points, double least_m)
+{
+	std::vector<Eigen::Vector3d> kept;
+	for (const Eigen::Vector3d& point : points)
+		if (kept.empty() || (point - kept.back()).norm() >= least_m) kept.push_back(point);
+	if (!points.empty() && kept.back() != points.back()) kept.push_back(points.back());
+	return kept;
+}
+
+void addPath(mrpt::opengl::COpenGLScene& scene, std::vector<Eigen::Vector3d> places, double lift_m)
+{
+	constexpr double kBar_m = 0.05, kSpacing_m = 0.15;
+	for (Eigen::Vector3d& place : places) place.z() += lift_m;
+	scene.insert(named(scene::polyline(places, style::kChosen, 3.0), "path"));
+	scene.insert(named(scene::bars(spaced(places, kSpacing_m), style::kChosen, kBar_m), "path.bars"));
+}
 }  // namespace
 
 mrpt::opengl::COpenGLScene runScene(const RunSceneParts& parts, const RunSceneConfig& config)
@@ -190,9 +208,7 @@ mrpt::opengl::COpenGLScene runScene(const RunSceneParts& parts, const RunSceneCo
 	if (parts.mission != nullptr)
 	{
 		const auto& path = parts.path_in_map.empty() ? parts.mission->trail_in_map : parts.path_in_map;
-		std::vector<Eigen::Vector3d> shown = thinned(path, config.most_path_points);
-		for (Eigen::Vector3d& place : shown) place.z() += on_floor_m - config.floor_z_m + 0.03;
-		scene.insert(named(scene::polyline(shown, style::kChosen, 3.0), "path"));
+		addPath(scene, thinned(path, config.most_path_points), on_floor_m - config.floor_z_m + 0.03);
 		scene.insert(named(leftOverObject(parts.mission->left_over), "left_over"));
 		if (const auto& home = parts.mission->map_from_home)
 			scene.insert(named(homeObject(home->translation() + Eigen::Vector3d(0, 0, on_floor_m)), "home"));

@@ -31,8 +31,8 @@ struct RunSceneParts
 	const FrameSketch* last = nullptr;         ///< the last frame; null: none
 };
 
-/** Objects of the map, map frame: `map`, `grid`, `path`, `home`, `doors` with `door.N` and `corridors` with
- *  `corridor.N` (N = track; confirmed ones), `frontiers`, `left_over` with `left_over.N` (N from 0, as in
+/** Objects of the map, map frame: `map`, `grid`, `path` with `path.bars`, `home`, `doors` with `door.N` and `corridors`
+ * with `corridor.N` (N = track; confirmed ones), `frontiers`, `left_over` with `left_over.N` (N from 0, as in
  * summary.json), and `last_frame` with directionObjects(). Without a memory: `grid` and `last_frame` with
  * frameObjects() at the origin. */
 mrpt::opengl::COpenGLScene runScene(const RunSceneParts& parts, const RunSceneConfig& config);

@@ -1,7 +1,8 @@
 #include <explore/sinks/scene/shapes.h>
 #include <mrpt/opengl/CArrow.h>
-#include <mrpt/opengl/CPointCloud.h>
+#include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/CSetOfTriangles.h>
 #include <mrpt/opengl/CText.h>
 
 #include <algorithm>
@@ -73,15 +74,28 @@ mrpt::img::TColor brighter(const mrpt::img::TColor& color)
 	return {half(color.R), half(color.G), half(color.B)};
 }
 
-mrpt::opengl::CArrow::Ptr shaft(const Stretch& from_to, const mrpt::img::TColor& color, double thickness_m)
+/** The four sides of a bar; its ends stay open. */
+void addBar(mrpt::opengl::CSetOfTriangles& triangles, const Stretch& from_to, const mrpt::img::TColor& color,
+            double thickness_m)
 {
-	auto object = mrpt::opengl::CArrow::Create();
-	object->setArrowEnds(pointOf(from_to.first), pointOf(from_to.second));
-	object->setSmallRadius(static_cast<float>(0.5 * thickness_m));
-	object->setLargeRadius(static_cast<float>(0.5 * thickness_m));
-	object->setHeadRatio(0.0F);
-	object->setColor_u8(color);
-	return object;
+	const Eigen::Vector3d along = from_to.second - from_to.first;
+	if (along.norm() < 1e-6) return;
+	const Eigen::Vector3d side = along.unitOrthogonal(), other = along.normalized().cross(side);
+	std::array<Eigen::Vector3d, 4> edges{side + other, other - side, -side - other, side - other};
+	for (Eigen::Vector3d& edge : edges) edge = from_to.first + 0.5 * thickness_m * edge;
+	for (std::size_t i = 0; i < edges.size(); ++i)
+	{
+		const Eigen::Vector3d &a = edges[i], &b = edges[(i + 1) % edges.size()];
+		for (const auto& corners : {std::array{a, b, Eigen::Vector3d(b + along)},
+		                            std::array{a, Eigen::Vector3d(b + along), Eigen::Vector3d(a + along)}})
+		{
+			mrpt::opengl::TTriangle triangle;
+			for (std::size_t k = 0; k < corners.size(); ++k) triangle.vertices[k].xyzrgba.pt = pointOf(corners[k]);
+			triangle.setColor(color);
+			triangle.computeNormals();
+			triangles.insertTriangle(triangle);
+		}
+	}
 }
 }  // namespace
 
@@ -101,21 +115,24 @@ mrpt::opengl::CRenderizable::Ptr stretches(std::span<const Stretch> stretches, c
 	return object;
 }
 
-mrpt::opengl::CSetOfObjects::Ptr bars(std::span<const Eigen::Vector3d> points, const mrpt::img::TColor& color,
+mrpt::opengl::CRenderizable::Ptr bars(std::span<const Eigen::Vector3d> points, const mrpt::img::TColor& color,
                                       double thickness_m)
 {
-	auto objects = mrpt::opengl::CSetOfObjects::Create();
-	for (std::size_t i = 1; i < points.size(); ++i)
-		objects->insert(shaft({points[i - 1], points[i]}, color, thickness_m));
-	return objects;
+	auto object = mrpt::opengl::CSetOfTriangles::Create();
+	for (std::size_t i = 1; i < points.size(); ++i) addBar(*object, {points[i - 1], points[i]}, color, thickness_m);
+	object->setColor_u8(color);
+	return object;
 }
 
 mrpt::opengl::CRenderizable::Ptr arrow(const Stretch& from_to, const mrpt::img::TColor& color, double thickness_m)
 {
 	const double length_m = (from_to.second - from_to.first).norm();
-	auto object = shaft(from_to, color, thickness_m);
+	auto object = mrpt::opengl::CArrow::Create();
+	object->setArrowEnds(pointOf(from_to.first), pointOf(from_to.second));
+	object->setSmallRadius(static_cast<float>(0.5 * thickness_m));
 	object->setLargeRadius(static_cast<float>(1.5 * thickness_m));
 	object->setHeadRatio(static_cast<float>(std::min(0.5, 4.0 * thickness_m / std::max(length_m, 1e-3))));
+	object->setColor_u8(color);
 	return object;
 }
 
@@ -130,11 +147,13 @@ mrpt::opengl::CRenderizable::Ptr label(const std::string& text, const Eigen::Vec
 
 mrpt::opengl::CRenderizable::Ptr cloud(const PointCloud& points, double point_px)
 {
-	auto object = mrpt::opengl::CPointCloud::Create();
-	for (std::size_t i = 0; i < points.size(); ++i) object->insertPoint(points.x[i], points.y[i], points.z[i]);
+	auto object = mrpt::opengl::CPointCloudColoured::Create();
+	for (std::size_t i = 0; i < points.size(); ++i)
+	{
+		const mrpt::img::TColorf color(style::heightColor(points.z[i]));
+		object->push_back(points.x[i], points.y[i], points.z[i], color.R, color.G, color.B);
+	}
 	object->setPointSize(static_cast<float>(point_px));
-	object->enableColorFromZ(true);
-	object->setGradientColors(mrpt::img::TColorf(style::depthColor(1.0)), mrpt::img::TColorf(style::depthColor(0.0)));
 	return object;
 }
 
@@ -142,7 +161,7 @@ mrpt::opengl::CRenderizable::Ptr ring(const Eigen::Vector3d& at, double radius_m
 {
 	std::vector<Eigen::Vector3d> points;
 	for (const Eigen::Vector2d& corner : arc(0, 2 * std::numbers::pi))
-		points.push_back(at + radius_m * Eigen::Vector3d(corner.x(), corner.y(), 0));
+		points.emplace_back(at + radius_m * Eigen::Vector3d(corner.x(), corner.y(), 0));
 	points.push_back(at);
 	return polyline(points, color, 4.0);
 }
@@ -160,7 +179,7 @@ mrpt::opengl::CSetOfObjects::Ptr opening(const DoorMark& mark, Verdict verdict)
 	{
 		std::vector<Eigen::Vector3d> places;
 		for (const Eigen::Vector2d& corner : stroke)
-			places.push_back(middle + kSign_m * (corner.x() * along + corner.y() * up));
+			places.emplace_back(middle + kSign_m * (corner.x() * along + corner.y() * up));
 		object->insert(bars(places, mark.color, kBar_m));
 	}
 	object->insert(label(mark.label, 0.5 * (left_top + right_top) + kLabelAbove_m * up, mark.color));

@@ -20,15 +20,15 @@ mrpt::opengl::CRenderizable::Ptr polyline(std::span<const Eigen::Vector3d> point
                                           double width_px);
 mrpt::opengl::CRenderizable::Ptr stretches(std::span<const Stretch> stretches, const mrpt::img::TColor& color,
                                            double width_px);
-/** Round bars from each point to the next: seen from afar too, as lines, which are drawn one pixel wide, are not. */
-mrpt::opengl::CSetOfObjects::Ptr bars(std::span<const Eigen::Vector3d> points, const mrpt::img::TColor& color,
+/** Square bars from each point to the next: seen from afar too, as lines, which are drawn one pixel wide, are not. */
+mrpt::opengl::CRenderizable::Ptr bars(std::span<const Eigen::Vector3d> points, const mrpt::img::TColor& color,
                                       double thickness_m);
 /** `thickness_m` of the shaft. */
 mrpt::opengl::CRenderizable::Ptr arrow(const Stretch& from_to, const mrpt::img::TColor& color, double thickness_m);
 /** Faces the observer wherever they stand; its colour is a brighter one. */
 mrpt::opengl::CRenderizable::Ptr label(const std::string& text, const Eigen::Vector3d& at,
                                        const mrpt::img::TColor& color);
-/** Pale at the top, deep blue at the bottom. */
+/** Colours as of heights above z = 0. */
 mrpt::opengl::CRenderizable::Ptr cloud(const PointCloud& points, double point_px);
 /** A ring on the floor with a point in its middle. */
 mrpt::opengl::CRenderizable::Ptr ring(const Eigen::Vector3d& at, double radius_m, const mrpt::img::TColor& color);
