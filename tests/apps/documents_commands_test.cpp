@@ -108,7 +108,7 @@ void shortenMrpt(std::string& command)
 {
 	const bool whole = contains(command, "--rawlog") && !contains(command, "--realtime");
 	if (!whole && !contains(command, "--dump-config") && !contains(command, "--help"))
-		setOption(command, "--max-frames", "30");
+		setOption(command, "--max-frames", "10");
 }
 
 void shortenRawlog(std::string& command)
@@ -123,6 +123,8 @@ void shortenRawlog(std::string& command)
 
 void shortenEval(std::string& command)
 {
+	const bool scores = contains(command, "--ini") && !contains(command, " soak ") && !contains(command, " gallery ");
+	if (scores && !contains(command, "--no-pictures")) command += " --no-pictures";
 	if (!contains(command, " soak ")) return;
 	setOption(command, "--runs", "1");
 	command += " --set simulator.time_limit=1";
@@ -203,7 +205,8 @@ void run(const PageStep& step, const fs::path& folder)
 /** A copy of what the pages' commands find where the reader is: the project's folder, and a recording of theirs. */
 fs::path readersFolder()
 {
-	const fs::path source = EXPLORE_SOURCE_DIR, folder = freshFolder() / "reader";
+	const fs::path source = EXPLORE_SOURCE_DIR;
+	fs::path folder = freshFolder() / "reader";
 	for (const char* part : {"rawlogs", "doc/examples", "apps/explore-eval", "tests/data"})
 	{
 		fs::create_directories((folder / part).parent_path());
