@@ -1,6 +1,7 @@
 // Every command of the documentation is run, page by page and in its order, in a folder of its own; what is done
-// differently from the page stands below, and nothing else is.
+// differently from the page stands in adapted() and document_exceptions.h, and nothing else is.
 #include "apps/document_commands.h"
+#include "apps/document_exceptions.h"
 #include "apps/rawlog_program.h"
 
 #include <gmock/gmock.h>
@@ -14,69 +15,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Commands whose text contains `part`, on `page` or, where that is empty, on any. */
-struct Listed
-{
-	const char* page;
-	const char* part;
-	const char* why;
-
-	[[nodiscard]] bool holds(const PageStep& step) const
-	{
-		return (*page == '\0' || step.page == page) && step.file.empty() && step.text.find(part) != std::string::npos;
-	}
-};
-
-/** Not run at all. */
-const std::vector<Listed> kNotRun{
-    {"", "cmake --", "builds the project"},
-    {"doc/CONTRIBUTING.md", "ctest --preset", "runs the tests"},
-    {"", "./run.sh", "installs packages, builds and tests"},
-    {"doc/CONTRIBUTING.md", ".ci/run", "builds and tests everything"},
-    {"doc/CONTRIBUTING.md", "tests/support/kill_and_resume.sh", "minutes of kills; CI runs it"},
-    {"", "apt install", "installs a package"},
-    {"doc/ros.md", "apt-get install", "installs packages"},
-    {"doc/installing.md", "cmake -S doc/examples/find_doors", "needs an installed library; .ci/check-debs runs it"},
-    {"doc/robot-link.md", "g++ ", "compiles what apps_robot_link_test runs"},
-    {"doc/robot-link.md", "doc/examples/robot_client.py 5005", "never ends by itself; apps_robot_link_test runs it"},
-    {"doc/ros.md", "rosbag", "needs ROS packages; apps.RosBag runs it where they are"},
-    {"doc/ros.md", "bag_to_folder.py", "needs ROS packages; apps.RosBag runs it where they are"},
-    {"doc/method.md", "tests/support/logs_to_fit.sh", "makes logs for hours"},
-    {"doc/evaluation.md", "apps/explore-eval/slurm_array.sh", "needs Slurm; apps.EvalSlurm runs it with a stand-in"},
-};
-
-/** Not run, but every --option has to be one of the program's. */
-const std::vector<Listed> kOptionsOnly{
-    {"doc/results.md", "", "campaigns of hours"},
-    {"doc/scene-pictures.md", "", "the page's own pictures, of 2820 scenes"},
-    {"", " --oni ", "needs a recording of OpenNI2; openni2_test makes and reads one"},
-    {"", "import --png", "needs a folder of images; apps.RawlogImport runs it"},
-    {"", "import --tum", "needs a folder of images; apps.RawlogImport and apps.RosBag run it"},
-    {"README.md", "my_building.sdf", "a world of the reader's"},
-    {"doc/evaluation.md", "gallery", "the page's own pictures; apps.Eval makes such a page"},
-    {"doc/ros.md", "my_robot.ini", "an ini of the reader's"},
-};
-
-/** Literal changes, beside those of adapted(). */
-struct Change
-{
-	const char* page;
-	const char* from;
-	const char* to;
-	const char* why;
-};
-const std::vector<Change> kChanges{
-    {"doc/evaluation.md", "LOG.rawlog...", "rawlogs/office.rawlog", "a log with truth"},
-    {"doc/evaluation.md", "a.rawlog", "mine.rawlog", "some log"},
-    {"doc/evaluation.md", "b.rawlog", "MY.rawlog", "another log"},
-    {"doc/evaluation.md", "--family all --count 50", "--family frontal_door --family corner_door --count 1", "minutes"},
-    {"doc/evaluation.md", "=3,recall=3", "=100,recall=100", "so few scenes cannot tell"},
-    {"doc/evaluation.md", "=1,recall=1", "=100,recall=100", "so few scenes cannot tell"},
-    {"doc/evaluation.md", "scaled_sets.sh corridor.ini", "scaled_sets.sh corridor.ini | head -2", "dozens of runs"},
-    {"rawlogs/README.md", "worlds/", "rawlogs/worlds/", "the page says to be in that folder"},
-    {"doc/ros.md", "LOG.rawlog", "MY.rawlog", "some log"},
-};
-
 bool contains(const std::string& text, const std::string& part)
 {
 	return text.find(part) != std::string::npos;
@@ -217,6 +155,13 @@ fs::path readersFolder()
 	return folder;
 }
 
+bool lacksPython(const std::vector<PageStep>& steps, const fs::path& folder)
+{
+	return shell("python3 -c 'import json'", folder).exit_code != 0 &&
+	       std::any_of(steps.begin(), steps.end(),
+	                   [](const PageStep& step) { return step.text.starts_with("python3 "); });
+}
+
 std::string nameOf(const testing::TestParamInfo<std::string>& page)
 {
 	return std::regex_replace(page.param, std::regex("[^A-Za-z0-9]"), "_");
@@ -231,6 +176,7 @@ TEST_P(DocumentCommands, RunAsThePageSays)
 {
 	const auto steps = stepsOf(GetParam());
 	const fs::path folder = readersFolder();
+	if (lacksPython(steps, folder)) GTEST_SKIP() << "python3 is not installed";
 	for (const PageStep& step : steps)
 	{
 		SCOPED_TRACE(step.page + ":" + std::to_string(step.line) + ": " + (step.file.empty() ? step.text : step.file));
@@ -260,4 +206,20 @@ TEST(DocumentCommandLists, NoEntryIsLeftOver)
 		                        [&](const PageStep& step)
 		                        { return step.page == change.page && contains(step.text, change.from); }))
 		    << "'" << change.from << "' (" << change.why << ") is not on " << change.page << " any more";
+}
+
+TEST(LabelDoors, FindsWhichDoorsTheRecordingShows)
+{
+	const fs::path folder = readersFolder();
+	std::string said;
+	const auto steps = stepsOf("doc/labelling.md");
+	if (lacksPython(steps, folder)) GTEST_SKIP() << "python3 is not installed";
+	for (const PageStep& step : steps)
+		if (!step.file.empty())
+			writeFile(folder / step.file, step.text);
+		else if (contains(step.text, "--out mine") || contains(step.text, "label_doors.py"))
+			said = shell(step.text, folder).out;
+	EXPECT_EQ(said, "60 frames, 4 doors, visible 63 times\n");
+	const std::string page = readFile(fs::path(EXPLORE_SOURCE_DIR) / "doc/labelling.md");
+	EXPECT_THAT(page, testing::HasSubstr("`" + said.substr(0, said.find('\n')) + "`"));
 }
