@@ -109,6 +109,7 @@ mrpt::opengl::CSetOfObjects::Ptr directionObjects(const FrameSketch& sketch, con
 
 mrpt::opengl::CSetOfObjects::Ptr frameObjects(const FrameSketch& sketch, const RobotConfig& robot)
 {
+	static const Eigen::Vector3d kBelow(0, 0, -0.5);  // where no door's label stands
 	auto objects = directionObjects(sketch, robot);
 	const Percepts& percepts = sketch.result.percepts;
 	insert(*objects, "frame.cloud", scene::cloud(sketch.cloud_in_robot, 3.0));
@@ -121,7 +122,7 @@ mrpt::opengl::CSetOfObjects::Ptr frameObjects(const FrameSketch& sketch, const R
 		insert(*objects, "frame.door." + std::to_string(i), scene::opening(mark, door.verdict));
 	}
 	const std::string text = mrpt::format("frame %zu: ", sketch.index) + decisionText(sketch.result.decision);
-	insert(*objects, "frame.text", scene::label(text, Eigen::Vector3d(0, 0, robot.height_m + 0.5), style::kText));
+	insert(*objects, "frame.text", scene::label(text, kBelow, style::kText));
 	return objects;
 }
 }  // namespace explore

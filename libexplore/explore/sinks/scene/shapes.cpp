@@ -90,9 +90,13 @@ void addBar(mrpt::opengl::CSetOfTriangles& triangles, const Stretch& from_to, co
 		                            std::array{a, Eigen::Vector3d(b + along), Eigen::Vector3d(a + along)}})
 		{
 			mrpt::opengl::TTriangle triangle;
-			for (std::size_t k = 0; k < corners.size(); ++k) triangle.vertices[k].xyzrgba.pt = pointOf(corners[k]);
 			triangle.setColor(color);
-			triangle.computeNormals();
+			for (std::size_t k = 0; k < corners.size(); ++k)
+			{
+				triangle.vertices[k].xyzrgba.pt = pointOf(corners[k]);
+				// As if it faced the light: colours tell verdicts apart, on the side in the shade too.
+				triangle.vertices[k].normal = {0.0F, 0.0F, 1.0F};
+			}
 			triangles.insertTriangle(triangle);
 		}
 	}
