@@ -110,8 +110,10 @@ void writeMap(Run& run)
 {
 	const ExplorerConfig& config = run.config.explorer;
 	if (run.state.memory)
-		run.outputs.writeMap(run.state.memory->map.tree(),
-		                     {config.memory.layers.floor_z_m, config.memory.layers.lowest_m, config.robot.height_m});
+		run.outputs.writeMap(
+		    run.state.memory->map.tree(),
+		    {config.memory.layers.floor_z_m, lowestOfBody(config.memory.layers, config.memory.map.resolution_m),
+		     config.robot.height_m});
 	run.outputs.writeScene(run.state);
 }
 

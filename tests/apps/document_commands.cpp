@@ -16,7 +16,7 @@ bool isCommand(const std::string& line)
 {
 	static const std::regex begin(
 	    R"(^(explore-(mrpt|rawlog|eval)( |$)|(\./|apps/|doc/examples/|tests/support/|\.ci/|(/usr/bin/)?python3 |cp |head |mkdir |)"
-	    R"(sudo |apt|cmake |ctest |g\+\+ |rosbag)))");
+	    R"(sudo |apt|cmake |ctest |g\+\+ |rosbag|rawlog-grabber )))");
 	static const std::regex option(R"( --[a-z])");
 	return std::regex_search(line, begin) || std::regex_search(line, option);
 }

@@ -51,6 +51,33 @@ std::vector<CellState> moved(const std::vector<CellState>& cells, const LayerFra
 	return all;
 }
 
+TEST(BodyLayers, TheVoxelOfTheFloorIsInNobodysWay)
+{
+	for (const double resolution_m : {0.02, 0.05, 0.07, 0.1})
+		for (const double floor_z_m : {0.0, 0.13, -2.0})
+		{
+			BodyLayersConfig config = smallSteps();
+			config.floor_z_m = floor_z_m;
+			BodyLayers layers(config, test::robotOf(RobotKind::ground), resolution_m);
+			const octomap::OcTree map(resolution_m);
+			const auto foundAt = [&](double x, double z, VoxelState state) -> VoxelChange {
+				return {map.coordToKey(x, 0.01, z), VoxelState::unknown, state};
+			};
+			std::vector<VoxelChange> changes;
+			for (const double x : {0.31, 0.93})
+			{
+				changes.push_back(foundAt(x, floor_z_m + 1e-4, VoxelState::occupied));
+				for (double z_m = floor_z_m + 1.5 * resolution_m; z_m < floor_z_m + 0.6; z_m += resolution_m)
+					changes.push_back(foundAt(x, z_m, VoxelState::free));
+			}
+			// A box that is higher than any of these voxels.
+			changes.push_back({map.coordToKey(0.93, 0.01, floor_z_m + 0.25), VoxelState::free, VoxelState::occupied});
+			layers.update(changes);
+			EXPECT_EQ(stateAt(layers, {0.31, 0.01}), CellState::free) << resolution_m << " at " << floor_z_m;
+			EXPECT_EQ(stateAt(layers, {0.93, 0.01}), CellState::occupied) << resolution_m << " at " << floor_z_m;
+		}
+}
+
 class BodyLayersOf : public testing::TestWithParam<RobotKind>
 {
 };

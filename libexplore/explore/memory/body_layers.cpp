@@ -34,8 +34,9 @@ BodyLayers::BodyLayers(const BodyLayersConfig& config, const RobotConfig& robot,
 	{ return keysBetween(config.floor_z_m + low_m, config.floor_z_m + high_m, resolution_m); };
 	if (robot.kind == RobotKind::ground)
 	{
-		addLayer(config.floor_z_m + 0.5 * (config.lowest_m + robot.height_m),
-		         {.body = keys(config.lowest_m, robot.height_m),
+		const double lowest_m = lowestOfBody(config, resolution_m);
+		addLayer(config.floor_z_m + 0.5 * (lowest_m + robot.height_m),
+		         {.body = keys(lowest_m, robot.height_m),
 		          .floor = keys(-config.floor_tolerance_m, config.floor_tolerance_m),
 		          .deep = keys(-config.drop_reach_m, -config.drop_m)});
 		return;

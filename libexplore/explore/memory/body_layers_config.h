@@ -17,6 +17,10 @@ struct BodyLayersConfig
 	double growth_m = 12.8;            ///< the rectangle of cells grows in such steps
 	double max_edge_m = 400.0;         ///< but no longer than this
 };
+/** Where the body of a ground robot begins, above the floor [m]: lowest_m, but above the voxel that the floor lies in,
+ * for that is occupied everywhere. */
+[[nodiscard]] double lowestOfBody(const BodyLayersConfig& config, double resolution_m);
+
 /** [layers] */
 void describe(FieldVisitor& fields, BodyLayersConfig& config);
 }  // namespace explore
