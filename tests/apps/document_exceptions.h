@@ -35,6 +35,7 @@ inline const std::vector<Listed> kNotRun{
     {"doc/robot-link.md", "g++ ", "compiles what apps_robot_link_test runs"},
     {"doc/robot-link.md", "doc/examples/robot_client.py 5005", "never ends by itself; apps_robot_link_test runs it"},
     {"doc/live.md", "rawlog-grabber ", "needs mrpt-hwdrivers; apps_grabber_test runs it where that is"},
+    {"doc/viewers.md", "rawlog-edit ", "needs mrpt-apps; apps_viewers_test runs it where that is"},
     {"doc/ros.md", "rosbag", "needs ROS packages; apps.RosBag runs it where they are"},
     {"doc/ros.md", "bag_to_folder.py", "needs ROS packages; apps.RosBag runs it where they are"},
     {"doc/method.md", "tests/support/logs_to_fit.sh", "makes logs for hours"},
