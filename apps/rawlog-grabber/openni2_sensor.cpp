@@ -1,5 +1,6 @@
 #include <explore/config/field_list.h>
 #include <explore/config/ini.h>
+#include <mrpt/system/string_utils.h>
 #include <rawlog-grabber/openni2_sensor.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace explore::app
 namespace
 {
 using namespace std::chrono_literals;
+using mrpt::system::lowerCase;
 
 /** What rawlog-grabber and CGenericSensor read from every sensor's section. */
 constexpr std::array<std::string_view, 7> kOfEverySensor{"driver",
@@ -20,13 +22,6 @@ constexpr std::array<std::string_view, 7> kOfEverySensor{"driver",
                                                          "sensorlabel",
                                                          "external_images_format",
                                                          "external_images_jpeg_quality"};
-
-std::string lowerCase(std::string text)
-{
-	for (char& c : text)
-		if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-	return text;
-}
 
 /** The keys of one section of rawlog-grabber's ini as an ini of ours, where they belong to two. */
 std::string iniTextOf(const mrpt::config::CConfigFileBase& ini, const std::string& section,

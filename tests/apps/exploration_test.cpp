@@ -1,5 +1,6 @@
 // Whole explorations of a small world, as a user runs them: to the end, within bounds, and home in time.
 #include "apps/program.h"
+#include "apps/tum_file.h"
 
 #include <explore/sources/map_file.h>
 #include <gmock/gmock.h>
@@ -7,7 +8,6 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 using namespace explore;
 using namespace explore::test;
@@ -27,20 +27,6 @@ json explored(const fs::path& out, const std::vector<std::string>& more = {})
 	const auto result = exploreMrpt(arguments);
 	EXPECT_EQ(result.exit_code, 0) << result.err;
 	return json::parse(readFile(out / "summary.json"));
-}
-
-/** The places on the floor plan of every line of a TUM file. */
-std::vector<Eigen::Vector2d> placesIn(const fs::path& tum)
-{
-	std::vector<Eigen::Vector2d> places;
-	for (const std::string& line : linesOf(readFile(tum)))
-	{
-		std::istringstream words(line);
-		double t_s = 0;
-		Eigen::Vector2d& place = places.emplace_back();
-		words >> t_s >> place.x() >> place.y();
-	}
-	return places;
 }
 
 /** The middles of the lines of open doors. */

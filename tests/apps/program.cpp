@@ -71,6 +71,15 @@ ProgramResult Program::wait()
 	return result;
 }
 
+std::vector<std::string> runOf(const std::filesystem::path& log, const std::filesystem::path& out,
+                               const std::vector<std::string>& more)
+{
+	std::vector<std::string> arguments{"--ini",   "corridor.ini", "--rawlog",  log.string(),
+	                                   "--quiet", "--out",        out.string()};
+	arguments.insert(arguments.end(), more.begin(), more.end());
+	return arguments;
+}
+
 ProgramResult exploreMrpt(const std::vector<std::string>& arguments, const Program::Setup& setup)
 {
 	return Program(EXPLORE_MRPT_PROGRAM, arguments, setup).wait();

@@ -40,6 +40,9 @@ private:
 	std::filesystem::path m_out, m_err;
 };
 
+/** Arguments of explore-mrpt for a quiet run of corridor.ini over a recording; `more` comes last. */
+std::vector<std::string> runOf(const std::filesystem::path& log, const std::filesystem::path& out,
+                               const std::vector<std::string>& more = {});
 /** Runs explore-mrpt to its end. */
 ProgramResult exploreMrpt(const std::vector<std::string>& arguments, const Program::Setup& setup = {});
 }  // namespace explore::test

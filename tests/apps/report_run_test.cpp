@@ -32,14 +32,6 @@ std::string timelessPage(const fs::path& out)
 	EXPECT_NE(to, std::string::npos) << out;
 	return to == std::string::npos ? "" : page.erase(from, to - from);
 }
-
-std::vector<std::string> runOf(const fs::path& log, const fs::path& out, const std::vector<std::string>& more = {})
-{
-	std::vector<std::string> arguments{"--ini",   "corridor.ini", "--rawlog",  log.string(),
-	                                   "--quiet", "--out",        out.string()};
-	arguments.insert(arguments.end(), more.begin(), more.end());
-	return arguments;
-}
 }  // namespace
 
 TEST(ReportRun, IsWrittenWithEveryRun)

@@ -21,14 +21,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::vector<std::string> runOf(const fs::path& log, const fs::path& out, const std::vector<std::string>& more = {})
-{
-	std::vector<std::string> arguments{"--ini",   "corridor.ini", "--rawlog",  log.string(),
-	                                   "--quiet", "--out",        out.string()};
-	arguments.insert(arguments.end(), more.begin(), more.end());
-	return arguments;
-}
-
 mrpt::opengl::COpenGLScene sceneIn(const fs::path& out)
 {
 	mrpt::opengl::COpenGLScene scene;

@@ -1,13 +1,12 @@
 // explore-mrpt with a simulated robot, as a user runs it: what it leaves, when it ends, what it refuses.
 #include "apps/program.h"
+#include "apps/tum_file.h"
 
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 using namespace explore::test;
@@ -30,31 +29,10 @@ json summaryIn(const fs::path& out)
 	return json::parse(readFile(out / "summary.json"));
 }
 
-struct Place
-{
-	double x;
-	double y;
-};
-
-/** Where every line of a TUM file is. */
-std::vector<Place> placesIn(const fs::path& tum)
-{
-	std::vector<Place> places;
-	for (const std::string& line : linesOf(readFile(tum)))
-	{
-		std::istringstream words(line);
-		double t_s = 0;
-		Place& place = places.emplace_back();
-		words >> t_s >> place.x >> place.y;
-	}
-	return places;
-}
-
-double lengthOf(const std::vector<Place>& path)
+double lengthOf(const std::vector<Eigen::Vector2d>& path)
 {
 	double length = 0;
-	for (std::size_t i = 1; i < path.size(); i++)
-		length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+	for (std::size_t i = 1; i < path.size(); i++) length += (path[i] - path[i - 1]).norm();
 	return length;
 }
 }  // namespace
@@ -69,8 +47,8 @@ TEST(SimulatorRun, DrivesDownTheCorridorAndLeavesItsTruth)
 	EXPECT_EQ(readFile(out / "truth.tum"), readFile(out / "trajectory.tum"));
 	const auto path = placesIn(out / "truth.tum");
 	ASSERT_EQ(path.size(), 210U);
-	EXPECT_NEAR(path.front().x, 0.8, 1e-6) << "the world's first spawn";
-	EXPECT_GT(path.back().x, 1.5) << "21 s, of which it looks around for some";
+	EXPECT_NEAR(path.front().x(), 0.8, 1e-6) << "the world's first spawn";
+	EXPECT_GT(path.back().x(), 1.5) << "21 s, of which it looks around for some";
 
 	const json summary = summaryIn(out);
 	EXPECT_EQ(summary["source"]["kind"], "simulator");
@@ -90,7 +68,7 @@ TEST(SimulatorRun, ThePapersPolicyDrivesToo)
 	ASSERT_EQ(result.exit_code, 0) << result.err;
 	const auto path = placesIn(out / "truth.tum");
 	ASSERT_EQ(path.size(), 60U);
-	EXPECT_GT(path.back().x, 1.3) << "it began at 0.8, with nothing but its first view on the map";
+	EXPECT_GT(path.back().x(), 1.3) << "it began at 0.8, with nothing but its first view on the map";
 	EXPECT_EQ(summaryIn(out)["truth"]["collisions"], 0);
 }
 
@@ -114,7 +92,7 @@ TEST(SimulatorRun, OdometryDriftsFromTheTruth)
 	const auto out = freshFolder() / "o";
 	ASSERT_EQ(inCorridor(out, {"--max-frames", "40", "--set", "simulator.pose=odometry"}).exit_code, 0);
 	EXPECT_NE(readFile(out / "truth.tum"), readFile(out / "trajectory.tum"));
-	EXPECT_NEAR(placesIn(out / "truth.tum").back().x, placesIn(out / "trajectory.tum").back().x, 0.2);
+	EXPECT_NEAR(placesIn(out / "truth.tum").back().x(), placesIn(out / "trajectory.tum").back().x(), 0.2);
 	EXPECT_EQ(summaryIn(out)["source"]["pose_from"], "odometry");
 }
 
@@ -160,7 +138,7 @@ TEST(SimulatorRun, StartsWhereItIsTold)
 {
 	const auto out = freshFolder() / "o";
 	ASSERT_EQ(inCorridor(out, {"--max-frames", "1", "--set", "simulator.start=lobby"}).exit_code, 0);
-	EXPECT_NEAR(placesIn(out / "truth.tum").front().x, 13.0, 1e-6);
+	EXPECT_NEAR(placesIn(out / "truth.tum").front().x(), 13.0, 1e-6);
 	const auto nowhere = inCorridor(out, {"--set", "simulator.start=attic"});
 	EXPECT_EQ(nowhere.exit_code, 2);
 	EXPECT_THAT(nowhere.err, AllOf(HasSubstr("attic"), HasSubstr("lobby")));

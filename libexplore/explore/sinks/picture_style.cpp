@@ -1,4 +1,5 @@
 #include <explore/sinks/picture_style.h>
+#include <mrpt/core/bits_math.h>
 #include <mrpt/core/format.h>
 
 #include <algorithm>
@@ -136,8 +137,7 @@ std::string doorLabel(const Door& door)
 std::string decisionText(const Decision& decision)
 {
 	if (decision.stop) return "STOP: " + std::string(nameOf(decision.stop_reason));
-	constexpr double kDegrees = 57.29577951308232;
-	return mrpt::format("%+.0f deg, free %.1f m, %.2f m/s", kDegrees * decision.headings.chosen_rad.value_or(0.0),
+	return mrpt::format("%+.0f deg, free %.1f m, %.2f m/s", mrpt::RAD2DEG(decision.headings.chosen_rad.value_or(0.0)),
 	                    decision.open_path_m, decision.command.velocity_mps.norm());
 }
 }  // namespace explore

@@ -5,6 +5,7 @@
 #include <explore/sinks/report/camera_record.h>
 #include <explore/sinks/report/depth_picture.h>
 #include <explore/sinks/report/short_numbers.h>
+#include <mrpt/core/bits_math.h>
 
 #include <algorithm>
 
@@ -77,9 +78,8 @@ std::string nameOfArrow(HeadingKind kind)
 
 Json degreesJson(const Headings& headings)
 {
-	constexpr double kDegrees = 57.29577951308232;
 	const auto degrees = [](const std::optional<double>& heading_rad)
-	{ return heading_rad ? shortNumber(kDegrees * *heading_rad, 0) : Json(); };
+	{ return heading_rad ? shortNumber(mrpt::RAD2DEG(*heading_rad), 0) : Json(); };
 	return {{"door", degrees(headings.door_rad)},
 	        {"vp", degrees(headings.vanishing_point_rad)},
 	        {"avoid", degrees(headings.avoid_rad)},
