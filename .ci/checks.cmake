@@ -8,7 +8,8 @@ if(CLANG_FORMAT_PROGRAM)
     COMMAND ${every_source} --dry-run --Werror {} + WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
 endif()
 
-# clang-tidy reads compile_commands.json: what is not configured (a missing package) is not checked.
+# clang-tidy reads compile_commands.json: what is not configured (a missing package) is not checked. It spends its time on the
+# headers, so it is run over batches of sources where the build has them (the preset tidy does), six times as fast.
 find_program(RUN_CLANG_TIDY_PROGRAM NAMES run-clang-tidy run-clang-tidy-14)
 find_program(CLANG_TIDY_PROGRAM clang-tidy)
 if(RUN_CLANG_TIDY_PROGRAM AND CLANG_TIDY_PROGRAM)
@@ -18,7 +19,7 @@ if(RUN_CLANG_TIDY_PROGRAM AND CLANG_TIDY_PROGRAM)
     string(REGEX MATCH "^([^=]+)=(.*)$" _ "${target_and_folders}")
     add_custom_target(${CMAKE_MATCH_1}
       COMMAND ${RUN_CLANG_TIDY_PROGRAM} -quiet -j ${cores} -p ${CMAKE_BINARY_DIR}
-              -clang-tidy-binary ${CLANG_TIDY_PROGRAM} "^${PROJECT_SOURCE_DIR}/(${CMAKE_MATCH_2})/"
+              -clang-tidy-binary ${CLANG_TIDY_PROGRAM} "^(${PROJECT_SOURCE_DIR}|${PROJECT_BINARY_DIR})/(${CMAKE_MATCH_2})/"
       VERBATIM USES_TERMINAL)
   endforeach()
 endif()

@@ -1,15 +1,9 @@
 #include <common/config_choices.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 
 namespace explore::app
 {
-namespace
-{
-const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
-}
-
 std::vector<std::string> ConfigChoices::overrides() const
 {
 	std::vector<std::string> overrides = set;

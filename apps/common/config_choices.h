@@ -3,6 +3,7 @@
 
 #include <explore/core/robot.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ class App;
 
 namespace explore::app
 {
+/** What --robot takes. */
+inline const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
+
 struct ConfigChoices
 {
 	std::string ini;                 ///< empty = built-in defaults

@@ -10,7 +10,7 @@ namespace explore::app
 {
 namespace
 {
-constexpr int kJpegQuality = 82;
+constexpr int kPictureQuality = 82;
 
 void draw(const std::string& log, const LogInput& input, const ReplayedFrame& replayed,
           const std::filesystem::path& folder)
@@ -19,7 +19,7 @@ void draw(const std::string& log, const LogInput& input, const ReplayedFrame& re
 	const PictureNotes notes{mrpt::format("frame %zu, scene %d", replayed.frame.index, replayed.truth->scene),
 	                         evaluation::truthMarks(*replayed.truth, config.max_range_m)};
 	const auto path = folder / evaluation::pictureName(log, replayed.frame.index);
-	if (!drawFramePicture(replayed.frame, replayed.result, config, notes).saveToFile(path.string(), kJpegQuality))
+	if (!drawFramePicture(replayed.frame, replayed.result, config, notes).saveToFile(path.string(), kPictureQuality))
 		throw OutputError(path.string() + ": cannot write the picture (disk full, or no permission)");
 }
 }  // namespace

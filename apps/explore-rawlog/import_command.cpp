@@ -1,6 +1,7 @@
 #include <common/exit_codes.h>
 #include <explore-rawlog/import_command.h>
 #include <explore/core/errors.h>
+#include <explore/core/geometry.h>
 #include <explore/sources/import_recording.h>
 
 #include <CLI/CLI.hpp>
@@ -8,14 +9,13 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <numbers>
 
 namespace explore::app
 {
 namespace
 {
 /** Start of recordings that carry no times, seconds since 1970: fixed, so that the same input gives the same bytes. */
-constexpr double kStart_s = 1'400'000'000.0;
+constexpr double kUntimedStart_s = 1'400'000'000.0;
 constexpr double kTumDepthScale_m = 1.0 / 5000.0, kPngDepthScale_m = 0.001;
 
 struct ImportOptions
@@ -81,7 +81,6 @@ ImportConfig configOf(const ImportOptions& options)
 	{
 		if (!std::all_of(p.begin(), p.end(), [](double value) { return std::abs(value) <= 1000.0; }))
 			throw ConfigError("--pose x,y,z,yaw,pitch,roll: metres and degrees of at most 1000 are needed");
-		constexpr double kDegree_rad = std::numbers::pi / 180;
 		config.robot_from_camera = {p[0], p[1], p[2], p[3] * kDegree_rad, p[4] * kDegree_rad, p[5] * kDegree_rad};
 	}
 	return config;
@@ -96,7 +95,8 @@ Recording recordingOf(const ImportOptions& options, const ImportConfig& config)
 		// Images without times start with the poses that belong to them.
 		const auto earlier = [](const TimedPose& a, const TimedPose& b) { return a.time < b.time; };
 		const auto first = std::min_element(recording.map_from_robot.begin(), recording.map_from_robot.end(), earlier);
-		const LogTime start = first != recording.map_from_robot.end() ? first->time : mrpt::Clock::fromDouble(kStart_s);
+		const LogTime start =
+		    first != recording.map_from_robot.end() ? first->time : mrpt::Clock::fromDouble(kUntimedStart_s);
 		recording.frames = listPngFolder(options.png, start, options.rate_hz);
 		return recording;
 	}

@@ -1,11 +1,11 @@
 #include <explore-rawlog/record_camera.h>
 #include <explore/core/errors.h>
+#include <explore/core/geometry.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 namespace explore::app
 {
@@ -14,7 +14,6 @@ mrpt::poses::CPose3D poseOfOption(const std::vector<double>& numbers)
 	const auto& p = numbers;
 	if (!std::all_of(p.begin(), p.end(), [](double value) { return std::abs(value) <= 1000.0; }))
 		throw ConfigError("--pose x,y,z,yaw,pitch,roll: metres and degrees of at most 1000 are needed");
-	constexpr double kDegree_rad = std::numbers::pi / 180;
 	return {p[0], p[1], p[2], p[3] * kDegree_rad, p[4] * kDegree_rad, p[5] * kDegree_rad};
 }
 

@@ -1,4 +1,5 @@
 #include <common/app_config.h>
+#include <common/config_choices.h>
 #include <common/input_paths.h>
 #include <common/simulated_mount.h>
 #include <explore-rawlog/noise_options.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -19,7 +19,6 @@ namespace explore::app
 {
 namespace
 {
-const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
 
 void addWayOptions(CLI::App& record, RecordOptions& options)
 {

@@ -1,3 +1,4 @@
+#include <common/config_choices.h>
 #include <common/exit_codes.h>
 #include <explore-rawlog/noise_options.h>
 #include <explore-rawlog/synth_command.h>
@@ -20,7 +21,6 @@ using simulation::NoiseModel;
 using simulation::sceneFamilies;
 using simulation::SceneFamily;
 
-const std::map<std::string, RobotKind> kRobots{{"ground", RobotKind::ground}, {"mav", RobotKind::mav}};
 const std::map<std::string, NoiseModel> kNoises{
     {"none", NoiseModel::none}, {"kinect", NoiseModel::kinect}, {"speckle", NoiseModel::speckle}};
 

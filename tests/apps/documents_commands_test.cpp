@@ -162,7 +162,7 @@ bool lacksPython(const std::vector<PageStep>& steps, const fs::path& folder)
 	                   [](const PageStep& step) { return step.text.starts_with("python3 "); });
 }
 
-std::string nameOf(const testing::TestParamInfo<std::string>& page)
+std::string nameOfPage(const testing::TestParamInfo<std::string>& page)
 {
 	return std::regex_replace(page.param, std::regex("[^A-Za-z0-9]"), "_");
 }
@@ -190,7 +190,7 @@ TEST_P(DocumentCommands, RunAsThePageSays)
 	}
 }
 
-INSTANTIATE_TEST_SUITE_P(Page, DocumentCommands, testing::ValuesIn(documentPages()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Page, DocumentCommands, testing::ValuesIn(documentPages()), nameOfPage);
 
 TEST(DocumentCommandLists, NoEntryIsLeftOver)
 {

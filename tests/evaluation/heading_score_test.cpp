@@ -1,17 +1,16 @@
 #include "evaluation/truth_maker.h"
 
+#include <explore/core/geometry.h>
 #include <explore/evaluation/heading_score.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 using namespace explore;
 using namespace explore::evaluation;
 
 namespace
 {
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 const CameraIntrinsics kCamera{640, 480, 588.0, 588.0, 319.5, 239.5};  // ±28.5°, ±22.1°
 
 Decision driving(double chosen_deg, double desired_deg, double speed_mps = 0.5)

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/corridor_sight.h>
 #include <explore/memory/corridor_tracks.h>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ struct Seen
 Seen seen(const KnownCorridor& corridor, const Eigen::Isometry3d& map_from_robot, double length_m, Dice& dice)
 {
 	const Eigen::Isometry3d robot_from_map = map_from_robot.inverse();
-	const double error_rad = 0.5 * kDegree * dice.gauss();
+	const double error_rad = 0.5 * kDegree_rad * dice.gauss();
 	Eigen::Vector2d direction(std::cos(corridor.direction_rad + error_rad),
 	                          std::sin(corridor.direction_rad + error_rad));
 	if (direction.dot(map_from_robot.linear().col(0).head<2>()) < 0) direction = -direction;
@@ -57,13 +58,13 @@ CorridorLook lookOf(const Seen& what, const Eigen::Isometry3d& map_from_robot, d
 TEST(CorridorTracks, ADriveAlongACorridorIsOneConfirmedTrackOnItsMiddle)
 {
 	Dice dice(1);
-	const KnownCorridor corridor{{0, 1}, 20 * kDegree, 1.8};
+	const KnownCorridor corridor{{0, 1}, 20 * kDegree_rad, 1.8};
 	CorridorTracks tracks;
 	for (int i = 0; i < 60; ++i)
 	{
 		const Eigen::Vector2d at =
-		    corridor.point_in_map + 0.1 * i * Eigen::Vector2d(std::cos(20 * kDegree), std::sin(20 * kDegree));
-		const auto map_from_robot = robotAt(at.x(), at.y() + 0.2, 15 * kDegree);
+		    corridor.point_in_map + 0.1 * i * Eigen::Vector2d(std::cos(20 * kDegree_rad), std::sin(20 * kDegree_rad));
+		const auto map_from_robot = robotAt(at.x(), at.y() + 0.2, 15 * kDegree_rad);
 		const auto numbers =
 		    update(tracks, lookOf(seen(corridor, map_from_robot, 5, dice), map_from_robot, 0.2 * i), {});
 		ASSERT_EQ(numbers, std::vector<int>{1});
@@ -71,17 +72,17 @@ TEST(CorridorTracks, ADriveAlongACorridorIsOneConfirmedTrackOnItsMiddle)
 		EXPECT_EQ(tracks.tracks[0].existence.confirmed, i >= 2) << i;
 	}
 	const CorridorTrack& track = tracks.tracks[0];
-	EXPECT_NEAR(track.direction_rad, 20 * kDegree, 0.3 * kDegree);
+	EXPECT_NEAR(track.direction_rad, 20 * kDegree_rad, 0.3 * kDegree_rad);
 	EXPECT_NEAR(*track.width_m, 1.8, 0.05);
 	const Eigen::Vector2d offset = track.point_in_map - corridor.point_in_map;
-	EXPECT_NEAR(offset.dot(Eigen::Vector2d(-std::sin(20 * kDegree), std::cos(20 * kDegree))), 0, 0.05);
+	EXPECT_NEAR(offset.dot(Eigen::Vector2d(-std::sin(20 * kDegree_rad), std::cos(20 * kDegree_rad))), 0, 0.05);
 	EXPECT_NEAR(track.to_m - track.from_m, 10.9, 0.4);
 }
 
 TEST(CorridorTracks, TheWayBackIsTheSameCorridorAndItsCrossingIsAnother)
 {
 	Dice dice(2);
-	const KnownCorridor along{{0, 0}, 0, 2}, across{{5, 0}, 90 * kDegree, 2};
+	const KnownCorridor along{{0, 0}, 0, 2}, across{{5, 0}, 90 * kDegree_rad, 2};
 	CorridorTracks tracks;
 	double t_s = 0;
 	const auto drive = [&](const KnownCorridor& corridor, double x_m, double y_m, double yaw_rad)
@@ -90,8 +91,8 @@ TEST(CorridorTracks, TheWayBackIsTheSameCorridorAndItsCrossingIsAnother)
 		return update(tracks, lookOf(seen(corridor, map_from_robot, 4, dice), map_from_robot, t_s += 0.2), {}).at(0);
 	};
 	for (int i = 0; i < 10; ++i) EXPECT_EQ(drive(along, 0.3 * i, 0, 0), 1);
-	for (int i = 0; i < 10; ++i) EXPECT_EQ(drive(across, 5, 0.2 * i, 90 * kDegree), 2);
-	for (int i = 0; i < 10; ++i) EXPECT_EQ(drive(along, 5 - 0.3 * i, 0, 180 * kDegree), 1);
+	for (int i = 0; i < 10; ++i) EXPECT_EQ(drive(across, 5, 0.2 * i, 90 * kDegree_rad), 2);
+	for (int i = 0; i < 10; ++i) EXPECT_EQ(drive(along, 5 - 0.3 * i, 0, 180 * kDegree_rad), 1);
 	ASSERT_EQ(tracks.tracks.size(), 2U);
 	EXPECT_NEAR(tracks.tracks[0].direction_rad, 0, 0.01) << "as it was first seen";
 }
@@ -141,7 +142,7 @@ TEST(CorridorTracks, OneThatShouldBeSeenAndIsNotDies)
 	}
 	ASSERT_TRUE(tracks.tracks.at(0).existence.confirmed);
 	const Seen nothing;
-	for (int i = 0; i < 20; ++i) update(tracks, lookOf(nothing, robotAt(0.9, 0.03 * i, 80 * kDegree), 10 + i), {});
+	for (int i = 0; i < 20; ++i) update(tracks, lookOf(nothing, robotAt(0.9, 0.03 * i, 80 * kDegree_rad), 10 + i), {});
 	ASSERT_EQ(tracks.tracks.size(), 1U) << "looked elsewhere";
 	for (int i = 0; i < 20; ++i) update(tracks, lookOf(nothing, robotAt(0.9, 0, 0), 40 + i, 1.0), {});
 	ASSERT_EQ(tracks.tracks.size(), 1U) << "someone stands before the camera";
@@ -165,11 +166,11 @@ TEST(CorridorTracks, ACorrectionMovesThemAndTheyGoOn)
 		}
 	};
 	drive(Eigen::Isometry3d::Identity(), 0);
-	const Eigen::Isometry3d correction = robotAt(0.4, -0.3, 10 * kDegree);
+	const Eigen::Isometry3d correction = robotAt(0.4, -0.3, 10 * kDegree_rad);
 	correct(tracks, correction);
 	drive(correction, 10);
 	ASSERT_EQ(tracks.tracks.size(), 1U);
-	EXPECT_NEAR(tracks.tracks[0].direction_rad, 10 * kDegree, 0.5 * kDegree);
+	EXPECT_NEAR(tracks.tracks[0].direction_rad, 10 * kDegree_rad, 0.5 * kDegree_rad);
 }
 
 TEST(CorridorTracks, ConfirmedOnesAreVanishingPointsToEitherEndForARobotInThem)
@@ -182,7 +183,7 @@ TEST(CorridorTracks, ConfirmedOnesAreVanishingPointsToEitherEndForARobotInThem)
 		const auto map_from_robot = robotAt(0.5 * i, 0.3, 0);
 		update(tracks, lookOf(seen(corridor, map_from_robot, 5, dice), map_from_robot, i), {});
 	}
-	const auto points = confirmedCorridors(tracks, robotAt(3, 0.2, 90 * kDegree).inverse());
+	const auto points = confirmedCorridors(tracks, robotAt(3, 0.2, 90 * kDegree_rad).inverse());
 	ASSERT_EQ(points.size(), 2U);
 	EXPECT_LT((points[0].point - Eigen::Vector3d(-0.2, 3, 0.5)).norm(), 0.2) << "back, to where it was first seen from";
 	EXPECT_LT((points[1].point - Eigen::Vector3d(-0.2, -4, 0.5)).norm(), 0.2)
@@ -201,7 +202,7 @@ TEST(CorridorSight, TellsHowFarTheWayAheadIsClear)
 	};
 	Scene scene = corridorScene(7, {}, {});
 	EXPECT_NEAR(ahead(scene, 0), 7, 0.01);
-	EXPECT_LT(ahead(scene, 60 * kDegree), 2.5);
+	EXPECT_LT(ahead(scene, 60 * kDegree_rad), 2.5);
 	EXPECT_EQ(ahead(corridorScene(30, {}, {}), 0), 0) << "no return from beyond 8 m";
 	scene.box({2.0, 0, 0.9}, {0.4, 0.5, 1.8});
 	EXPECT_NEAR(ahead(scene, 0), 1.8, 0.01) << "somebody in the way";

@@ -1,4 +1,5 @@
 // Doors remembered over whole drives, from noisy reports of doors whose places are known.
+#include <explore/core/geometry.h>
 #include <explore/memory/door_tracks.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ struct Drive
 	static constexpr int kFrames = 600;
 	static Eigen::Isometry3d at(int frame)
 	{
-		return robotAt(0.04 * frame, 0.2 * std::sin(0.03 * frame), 45 * kDegree * std::sin(0.05 * frame));
+		return robotAt(0.04 * frame, 0.2 * std::sin(0.03 * frame), 45 * kDegree_rad * std::sin(0.05 * frame));
 	}
 };
 
@@ -30,8 +31,10 @@ std::vector<KnownDoor> corridorDoors(Dice& dice)
 	{
 		const double x_m = 2 + 1.4 * i + dice.uniform(-0.15, 0.15), side = i % 2 == 0 ? 1 : -1;
 		const bool shut = i % 5 == 4;
-		doors.push_back(
-		    {{x_m, 1.2 * side}, -side * 90 * kDegree, dice.uniform(0.75, 1.1), shut ? Verdict::closed : Verdict::open});
+		doors.push_back({{x_m, 1.2 * side},
+		                 -side * 90 * kDegree_rad,
+		                 dice.uniform(0.75, 1.1),
+		                 shut ? Verdict::closed : Verdict::open});
 	}
 	return doors;
 }

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/door_fusion.h>
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -93,7 +94,7 @@ TEST(DoorFusion, AReportOfAnotherWallIsNotTheSameDoor)
 	const KnownDoor door{{3, 0}, std::numbers::pi};
 	const DoorTrack track = trackOf(1, sightingOf(door));
 	KnownDoor across = door;
-	across.normal_rad += 60 * kDegree;
+	across.normal_rad += 60 * kDegree_rad;
 	EXPECT_FALSE(distanceOf(track, sightingOf(across), 0, {}));
 	KnownDoor behind = door;
 	behind.normal_rad = 0;
@@ -199,11 +200,11 @@ TEST(DoorFusion, JoinedTracksKeepTheFirstNumberAndAllThatWasLearned)
 TEST(DoorFusion, FarAndGrazingReportsAreLessSure)
 {
 	const auto near = sightingOf({{1.5, 0}, std::numbers::pi}), far = sightingOf({{4.5, 0}, std::numbers::pi});
-	const auto grazing = sightingOf({{1.5, 0}, std::numbers::pi + 65 * kDegree});
+	const auto grazing = sightingOf({{1.5, 0}, std::numbers::pi + 65 * kDegree_rad});
 	EXPECT_GT(far.center_covariance.trace(), 1.3 * near.center_covariance.trace());
 	EXPECT_LT(far.quality, 0.6 * near.quality);
 	EXPECT_LT(grazing.quality, 0.6 * near.quality);
-	EXPECT_NEAR(grazing.incidence_rad, 65 * kDegree, 1e-9);
+	EXPECT_NEAR(grazing.incidence_rad, 65 * kDegree_rad, 1e-9);
 	EXPECT_GT(near.quality, 0.8);
 }
 }  // namespace

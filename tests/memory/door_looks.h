@@ -1,19 +1,17 @@
 // Doors whose place is known, and what a robot that drives past them would report of them.
 #pragma once
 
+#include <explore/core/geometry.h>
 #include <explore/memory/door_tracks.h>
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
 namespace explore::test
 {
-inline constexpr double kDegree = std::numbers::pi / 180;
-
 struct KnownDoor
 {
 	Eigen::Vector2d center_in_map;
@@ -83,12 +81,12 @@ inline bool isInView(const DoorPlace& door, const Eigen::Isometry3d& map_from_ro
 {
 	const Eigen::Vector2d camera = map_from_robot.translation().head<2>();
 	const Eigen::Vector2d sight = door.center_in_map - camera;
-	if (std::abs(sight.normalized().dot(door.normal())) < std::cos(70 * kDegree)) return false;
+	if (std::abs(sight.normalized().dot(door.normal())) < std::cos(70 * kDegree_rad)) return false;
 	for (const double side : {-0.5, 0.5})
 	{
 		const Eigen::Vector3d jamb = map_from_robot.inverse() * door.point(side * door.width_m, 0);
 		if (jamb.head<2>().norm() < 0.8 || jamb.head<2>().norm() > 5.0) return false;
-		if (std::abs(std::atan2(jamb.y(), jamb.x())) > 28.5 * kDegree) return false;
+		if (std::abs(std::atan2(jamb.y(), jamb.x())) > 28.5 * kDegree_rad) return false;
 	}
 	return true;
 }
@@ -105,7 +103,7 @@ inline Door noisyReport(const KnownDoor& door, const Eigen::Isometry3d& map_from
 	const double range_m = report.center.head<2>().norm();
 	const double sigma_m = 0.02 + 0.003 * range_m * range_m;
 	report.center += Eigen::Vector3d(sigma_m * dice.gauss(), sigma_m * dice.gauss(), 0.01 * dice.gauss());
-	report.normal = Eigen::AngleAxisd(2 * kDegree * dice.gauss(), Eigen::Vector3d::UnitZ()) * report.normal;
+	report.normal = Eigen::AngleAxisd(2 * kDegree_rad * dice.gauss(), Eigen::Vector3d::UnitZ()) * report.normal;
 	report.width_m += 1.4 * sigma_m * dice.gauss();
 	report.clear_width_m = isPassable(report.verdict) ? report.width_m : 0.0;
 	return report;

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/door_reveal.h>
 #include <gtest/gtest.h>
 #include <support/analytic_scene.h>
@@ -52,14 +53,14 @@ TEST(DoorReveal, AWallHasAThicknessAndAMirrorHasNone)
 
 TEST(DoorReveal, FromTheSideTheFarJambShowsItAll)
 {
-	const RevealRows wall = seen(wallOf(kThickness_m), 1.8, 1.2, -45 * kDegree, 0);
+	const RevealRows wall = seen(wallOf(kThickness_m), 1.8, 1.2, -45 * kDegree_rad, 0);
 	EXPECT_GT(wall.thick, 10);
 	EXPECT_EQ(wall.flat, 0);
 }
 
 TEST(DoorReveal, NothingIsSaidOutOfViewBehindSomeoneOrWithoutAnImage)
 {
-	EXPECT_EQ(seen(wallOf(0), 0, 0, 180 * kDegree).flat, 0);
+	EXPECT_EQ(seen(wallOf(0), 0, 0, 180 * kDegree_rad).flat, 0);
 	Scene hidden = wallOf(0);
 	hidden.box({2.0, 0.45, 0.9}, {0.3, 0.5, 2.4}).box({2.0, -0.45, 0.9}, {0.3, 0.5, 2.4});
 	EXPECT_EQ(seen(hidden, 0, 0, 0, 0).flat, 0);

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/door_sight.h>
 #include <gtest/gtest.h>
 #include <support/analytic_scene.h>
@@ -66,11 +67,11 @@ TEST(DoorSight, SomethingBeforeItHidesIt)
 TEST(DoorSight, OutOfViewTooFarTooGrazingOrWithoutImageIsNotSeen)
 {
 	const Scene scene = doorInWall();
-	EXPECT_FALSE(seen(frameOf(scene, 0, 0, 40 * kDegree)));
-	EXPECT_FALSE(seen(frameOf(scene, 0, 0, 180 * kDegree)));
+	EXPECT_FALSE(seen(frameOf(scene, 0, 0, 40 * kDegree_rad)));
+	EXPECT_FALSE(seen(frameOf(scene, 0, 0, 180 * kDegree_rad)));
 	EXPECT_FALSE(seen(frameOf(scene, -2.3, 0, 0))) << "5.3 m";
 	EXPECT_FALSE(seen(frameOf(scene, 2.6, 0, 0))) << "the jambs are beside the image";
-	EXPECT_FALSE(seen(frameOf(scene, 2.3, -2.5, 74 * kDegree))) << "74 degrees from the front";
+	EXPECT_FALSE(seen(frameOf(scene, 2.3, -2.5, 74 * kDegree_rad))) << "74 degrees from the front";
 	EXPECT_FALSE(seen(DepthFrame()));
 }
 
@@ -121,17 +122,17 @@ TEST(DoorSight, AgreesWithRaysCastInTheSceneItself)
 	    .box({3.5, 1.2, 0.6}, {0.5, 0.5, 1.2})
 	    .box({4.5, -1.4, 0.9}, {0.4, 0.4, 1.8})
 	    .box({2.0, 0, 0.9}, {0.4, 0.5, 1.8});
-	const std::vector<KnownDoor> doors{{{2.45, 3}, -90 * kDegree},
-	                                   {{4.95, 3}, -90 * kDegree},
-	                                   {{1.45, -3}, 90 * kDegree},
-	                                   {{5.25, -3}, 90 * kDegree},
-	                                   {{7, -0.05}, 180 * kDegree}};
+	const std::vector<KnownDoor> doors{{{2.45, 3}, -90 * kDegree_rad},
+	                                   {{4.95, 3}, -90 * kDegree_rad},
+	                                   {{1.45, -3}, 90 * kDegree_rad},
+	                                   {{5.25, -3}, 90 * kDegree_rad},
+	                                   {{7, -0.05}, 180 * kDegree_rad}};
 	Dice dice(7);
 	int clear = 0, hidden = 0;
 	for (int round = 0; round < 150; ++round)
 	{
 		const DepthFrame frame =
-		    frameOf(scene, dice.uniform(0.3, 6), dice.uniform(-2, 2), dice.uniform(-120, 120) * kDegree);
+		    frameOf(scene, dice.uniform(0.3, 6), dice.uniform(-2, 2), dice.uniform(-120, 120) * kDegree_rad);
 		const Eigen::Vector2d camera(frame.map_from_robot.x(), frame.map_from_robot.y());
 		for (const KnownDoor& door : doors)
 		{
@@ -142,8 +143,8 @@ TEST(DoorSight, AgreesWithRaysCastInTheSceneItself)
 			const Eigen::Vector2d sight = door.center_in_map - camera;
 			const double slant = std::acos(std::abs(sight.normalized().dot(place.normal())));
 			const double farthest_m = sight.norm() + 0.5;
-			const bool plain = std::min({left, right, opening}) > 0.75 && farthest_m < 4.9 && slant < 65 * kDegree;
-			const bool none = std::min({left, right, opening}) < 0.25 || sight.norm() > 5.0 || slant > 75 * kDegree;
+			const bool plain = std::min({left, right, opening}) > 0.75 && farthest_m < 4.9 && slant < 65 * kDegree_rad;
+			const bool none = std::min({left, right, opening}) < 0.25 || sight.norm() > 5.0 || slant > 75 * kDegree_rad;
 			clear += plain ? 1 : 0;
 			hidden += none ? 1 : 0;
 			const auto view = seen(frame, door);

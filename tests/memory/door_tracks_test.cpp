@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/door_tracks.h>
 #include <gtest/gtest.h>
 
@@ -191,11 +192,11 @@ TEST(DoorTracks, DoorsSideBySideStayTwoAndReportsOfOneBecomeOne)
 
 TEST(DoorTracks, APoseCorrectionMovesThemAll)
 {
-	const std::vector<KnownDoor> doors{kDoor, {{2.5, 1.1}, 240 * kDegree}};
+	const std::vector<KnownDoor> doors{kDoor, {{2.5, 1.1}, 240 * kDegree_rad}};
 	Scout scout;
 	scout.lookAtDoors(doors, 6);
 	const DoorTracks before = scout.tracks;
-	scout.moved = robotAt(0.4, -0.3, 10 * kDegree);  // 0.5 m and 10°
+	scout.moved = robotAt(0.4, -0.3, 10 * kDegree_rad);  // 0.5 m and 10°
 	correct(scout.tracks, scout.moved);
 	for (std::size_t i = 0; i < doors.size(); ++i)
 	{
@@ -203,7 +204,7 @@ TEST(DoorTracks, APoseCorrectionMovesThemAll)
 		const Eigen::Vector3d center =
 		    scout.moved * Eigen::Vector3d(then.place.center_in_map.x(), then.place.center_in_map.y(), 0);
 		EXPECT_LT((now.place.center_in_map - center.head<2>()).norm(), 1e-9);
-		EXPECT_NEAR(wrapToPi(now.place.normal_rad - then.place.normal_rad), 10 * kDegree, 1e-9);
+		EXPECT_NEAR(wrapToPi(now.place.normal_rad - then.place.normal_rad), 10 * kDegree_rad, 1e-9);
 		EXPECT_NEAR(now.center_covariance.determinant(), then.center_covariance.determinant(), 1e-12);
 	}
 	std::vector<Door> reports;
@@ -341,7 +342,7 @@ TEST(DoorTracks, ACounterStopsARobotOnTheGroundAndNotOneThatFlies)
 			if (flies)
 			{
 				map_from_robot.translation().z() = 1.4;
-				map_from_robot.rotate(Eigen::AngleAxisd(8 * kDegree * (i - 2), Eigen::Vector3d(0.6, 0.8, 0)));
+				map_from_robot.rotate(Eigen::AngleAxisd(8 * kDegree_rad * (i - 2), Eigen::Vector3d(0.6, 0.8, 0)));
 			}
 			const std::vector<Door> reports{reportOf(kDoor, map_from_robot)};
 			DoorLook look = lookAt(reports, map_from_robot, 0.5 * i);

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/track_existence.h>
 #include <gtest/gtest.h>
 
@@ -15,9 +16,9 @@ Viewpoint viewAt(double x_m, double yaw_rad, double t_s)
 TEST(TrackExistence, ALookIsAStepATurnOrAMomentLater)
 {
 	const Viewpoint last = viewAt(1.0, 0.2, 100.0);
-	EXPECT_FALSE(isNewLook(last, viewAt(1.04, 0.2 + 2.5 * kDegree, 100.1)));
+	EXPECT_FALSE(isNewLook(last, viewAt(1.04, 0.2 + 2.5 * kDegree_rad, 100.1)));
 	EXPECT_TRUE(isNewLook(last, viewAt(1.05, 0.2, 100.1)));
-	EXPECT_TRUE(isNewLook(last, viewAt(1.0, 0.2 - 3 * kDegree, 100.1)));
+	EXPECT_TRUE(isNewLook(last, viewAt(1.0, 0.2 - 3 * kDegree_rad, 100.1)));
 	EXPECT_TRUE(isNewLook(last, viewAt(1.0, 0.2, 100.2)));
 }
 
@@ -74,7 +75,7 @@ TEST(TrackExistence, LooksFromOnePlaceTellLess)
 	}
 	EXPECT_NEAR(moving.log_odds, 4 * logOdds(0.7), 1e-12);
 	EXPECT_LT(standing.log_odds, 0.6 * moving.log_odds);
-	EXPECT_NEAR(novelty(viewAt(0, 0, 0), viewAt(0, 10 * kDegree, 0), 0.4), 1.0, 1e-9);
+	EXPECT_NEAR(novelty(viewAt(0, 0, 0), viewAt(0, 10 * kDegree_rad, 0), 0.4), 1.0, 1e-9);
 }
 
 TEST(TrackExistence, ProbabilityAndLogOddsAreEachOthersInverse)

@@ -1,8 +1,8 @@
+#include <explore/core/geometry.h>
 #include <explore/navigation/avoider.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "obstacle_scenes.h"
 
@@ -16,8 +16,6 @@ using test::floorBelow;
 using test::onFloor;
 using test::randomCloud;
 using test::wallCloud;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /** Every point of the swept disc, written out once more. */
 double openTo(const PointCloud& cloud, double azimuth, double radius, double range)
@@ -81,8 +79,8 @@ TEST(Avoider, ScoreIsTheMaximumOverTheCandidates)
 		const Avoidance result = avoid(input, robot, config);
 		double best = 0.0;
 		for (int k = -90; k <= 90; ++k)
-			best = std::max(
-			    best, openTo(cloud, input.desired_rad + 0.5 * k * kDegree, 0.27, 5.0) * std::cos(0.5 * k * kDegree));
+			best = std::max(best, openTo(cloud, input.desired_rad + 0.5 * k * kDegree_rad, 0.27, 5.0) *
+			                          std::cos(0.5 * k * kDegree_rad));
 		if (best == 0.0)
 		{
 			EXPECT_FALSE(result.heading_rad);
@@ -90,8 +88,8 @@ TEST(Avoider, ScoreIsTheMaximumOverTheCandidates)
 		}
 		ASSERT_TRUE(result.heading_rad);
 		const double turn = wrapToPi(*result.heading_rad - input.desired_rad);
-		EXPECT_NEAR(std::remainder(turn, 0.5 * kDegree), 0.0, 1e-9);
-		EXPECT_LE(std::abs(turn), 45 * kDegree + 1e-9);
+		EXPECT_NEAR(std::remainder(turn, 0.5 * kDegree_rad), 0.0, 1e-9);
+		EXPECT_LE(std::abs(turn), 45 * kDegree_rad + 1e-9);
 		const double score = openTo(cloud, *result.heading_rad, 0.27, 5.0) * std::cos(turn);
 		// A steadier direction, or the side that the robot faces, may be worth 3 % less.
 		EXPECT_GE(score, best * 0.97 - 1e-6) << "trial " << trial;
@@ -118,9 +116,9 @@ TEST(Avoider, StaysOnTheSideItHasTurnedTo)
 	for (const double side : {1.0, -1.0})
 	{
 		PointCloud cloud;
-		const Eigen::Rotation2Dd turned(-side * 10 * kDegree);
+		const Eigen::Rotation2Dd turned(-side * 10 * kDegree_rad);
 		addWall(cloud, turned * Eigen::Vector2d(2.0, -0.3), turned * Eigen::Vector2d(2.0, 0.3));
-		const Avoidance result = avoid(onFloor(cloud, -side * 10 * kDegree), RobotConfig(), evenClearance());
+		const Avoidance result = avoid(onFloor(cloud, -side * 10 * kDegree_rad), RobotConfig(), evenClearance());
 		ASSERT_TRUE(result.heading_rad);
 		EXPECT_GT(*result.heading_rad * side, 0.0);
 	}
@@ -141,8 +139,8 @@ TEST(Avoider, WithoutAWayThereIsNoHeading)
 {
 	PointCloud cloud;
 	for (int i = -90; i <= 90; ++i)
-		cloud.push_back(
-		    {static_cast<float>(0.25 * std::cos(i * kDegree)), static_cast<float>(0.25 * std::sin(i * kDegree)), 0.3F});
+		cloud.push_back({static_cast<float>(0.25 * std::cos(i * kDegree_rad)),
+		                 static_cast<float>(0.25 * std::sin(i * kDegree_rad)), 0.3F});
 	const Avoidance result = avoid(onFloor(cloud), RobotConfig(), evenClearance());
 	EXPECT_FALSE(result.heading_rad);
 	EXPECT_EQ(result.open_path_m, 0.0);
@@ -185,7 +183,7 @@ TEST(Avoider, MavClimbsOverAWall)
 	const Avoidance result = avoid(input, robot, evenClearance());
 	ASSERT_TRUE(result.heading_rad);
 	EXPECT_NEAR(*result.heading_rad, 0.0, 1e-12);
-	EXPECT_NEAR(result.elevation_rad, 20 * kDegree, 1e-9);
+	EXPECT_NEAR(result.elevation_rad, 20 * kDegree_rad, 1e-9);
 	EXPECT_TRUE(result.deviates);
 	EXPECT_DOUBLE_EQ(result.open_path_m, 5.0);
 

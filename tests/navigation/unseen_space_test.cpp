@@ -1,9 +1,9 @@
+#include <explore/core/geometry.h>
 #include <explore/navigation/avoider.h>
 #include <explore/perception/obstacles.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "obstacle_scenes.h"
 #include "support/analytic_scene.h"
@@ -14,8 +14,7 @@ namespace
 {
 using mrpt::poses::CPose3D;
 using test::Scene;
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kHalfView = 28.6 * kDegree;
+constexpr double kHalfView = 28.6 * kDegree_rad;
 constexpr double kHull_m = 0.22;
 const CPose3D kLowMount(0.1, 0.0, 0.5, 0, 0, 0);
 
@@ -81,10 +80,10 @@ TEST(UnseenSpace, AGoalOutOfViewIsApproachedAtTheEdgeOfTheView)
 	for (const double side : {1.0, -1.0})
 	{
 		Look look(hall());
-		look.desired_rad = side * 75 * kDegree;
+		look.desired_rad = side * 75 * kDegree_rad;
 		const Avoidance result = look.avoidance();
 		ASSERT_TRUE(result.heading_rad);
-		EXPECT_GT(*result.heading_rad * side, 15 * kDegree);
+		EXPECT_GT(*result.heading_rad * side, 15 * kDegree_rad);
 		EXPECT_LE(*result.heading_rad * side, kHalfView);
 		EXPECT_EQ(result.turning_path_m, 0.0) << "it turns before it drives to where it has not looked";
 	}
@@ -137,7 +136,7 @@ TEST(UnseenSpace, SpecksWithoutReturnChangeNothing)
 	const test::CameraNoise holes{.axial_scale = 1.0, .dropout_share = 0.3, .max_depth_m = 8.0};
 	const Avoidance result = Look(hall(), kLowMount, holes).avoidance();
 	ASSERT_TRUE(result.heading_rad);
-	EXPECT_NEAR(*result.heading_rad, 0.0, 3 * kDegree);
+	EXPECT_NEAR(*result.heading_rad, 0.0, 3 * kDegree_rad);
 	EXPECT_GT(result.open_path_m, 4.5);
 }
 
@@ -174,7 +173,7 @@ TEST(UnseenSpace, AMavClimbsOnlyWhereItLooks)
 	look.robot.max_altitude_m = 10.0;
 	const Avoidance result = look.avoidance();
 	ASSERT_TRUE(result.heading_rad);
-	EXPECT_LE(std::abs(result.elevation_rad), 22.5 * kDegree);
+	EXPECT_LE(std::abs(result.elevation_rad), 22.5 * kDegree_rad);
 	EXPECT_LE(result.open_path_m, (3.0 - 0.30) / std::cos(*result.heading_rad) / std::cos(result.elevation_rad) + 0.02);
 }
 

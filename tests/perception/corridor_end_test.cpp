@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/corridor_end.h>
 #include <gtest/gtest.h>
 
@@ -33,11 +34,11 @@ TEST(CorridorEnd, IsPlacedAtTheWallsEnds)
 		const CameraPlace place{0,
 		                        uniform(random, -0.15, 0.15) * width,
 		                        uniform(random, 0.4, 1.4),
-		                        uniform(random, -6, 6) * kDegree,
-		                        uniform(random, -6, 6) * kDegree,
-		                        uniform(random, -10, 10) * kDegree};
+		                        uniform(random, -6, 6) * kDegree_rad,
+		                        uniform(random, -6, 6) * kDegree_rad,
+		                        uniform(random, -10, 10) * kDegree_rad};
 		const auto view = viewOf(corridorIntoHall(width, end), place, sensorNoise(run));
-		const auto ends = endsOf(*view, bothWalls(*view, width, width, end, 0.5 * kDegree, -0.5 * kDegree));
+		const auto ends = endsOf(*view, bothWalls(*view, width, width, end, 0.5 * kDegree_rad, -0.5 * kDegree_rad));
 		ASSERT_EQ(ends.size(), 1U) << run;
 		EXPECT_LT((view->toMap(ends[0].center) - Eigen::Vector2d(end, 0)).norm(), 0.06) << run;
 		EXPECT_NEAR(ends[0].width_m, width, 0.05) << run;
@@ -49,7 +50,7 @@ TEST(CorridorEnd, IsPlacedAtTheWallsEnds)
 
 TEST(CorridorEnd, AHallOutOfRangeIsKnownByItsFloor)
 {
-	const auto view = viewOf(corridorIntoHall(1.6, 3.0), {0, 0, 1.2, 0, 8 * kDegree}, sensorNoise(1, 5.0));
+	const auto view = viewOf(corridorIntoHall(1.6, 3.0), {0, 0, 1.2, 0, 8 * kDegree_rad}, sensorNoise(1, 5.0));
 	const auto ends = endsOf(*view, bothWalls(*view, 1.6, 1.5, 3.0));
 	ASSERT_EQ(ends.size(), 1U);
 	EXPECT_LT((view->toMap(ends[0].center) - Eigen::Vector2d(3, 0)).norm(), 0.05);
@@ -87,7 +88,7 @@ TEST(CorridorEnd, DoorsOppositeEachOtherAreNone)
 	scene.wall({-2, 4}, {14, 4}, 2.6).wall({-2, -4}, {14, -4}, 2.6);
 	for (std::uint32_t run = 0; run < 4; ++run)
 	{
-		const auto view = viewOf(scene, {0, 0, 0.6, (4.0 * run - 6.0) * kDegree}, sensorNoise(run));
+		const auto view = viewOf(scene, {0, 0, 0.6, (4.0 * run - 6.0) * kDegree_rad}, sensorNoise(run));
 		EXPECT_TRUE(endsOf(*view, bothWalls(*view, 1.6, 1.5, 5)).empty()) << run;
 	}
 }

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/corridor.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ std::optional<CorridorSeen> seen(const CorridorView& view, const std::vector<Upr
 double errorOf(const CorridorSeen& corridor, const CorridorView& view)
 {
 	const Eigen::Vector2d in_map = view.level_from_map.linear().transpose() * corridor.direction;
-	return std::atan2(std::abs(in_map.y()), in_map.x()) / kDegree;
+	return std::atan2(std::abs(in_map.y()), in_map.x()) / kDegree_rad;
 }
 
 TEST(Corridor, DirectionIsBetterThanThatOfItsWalls)
@@ -31,13 +32,13 @@ TEST(Corridor, DirectionIsBetterThanThatOfItsWalls)
 		const CameraPlace place{0,
 		                        uniform(random, -0.2, 0.2) * width,
 		                        uniform(random, 0.4, 1.6),
-		                        uniform(random, -15, 15) * kDegree,
-		                        uniform(random, -8, 8) * kDegree,
-		                        uniform(random, -10, 10) * kDegree};
+		                        uniform(random, -15, 15) * kDegree_rad,
+		                        uniform(random, -8, 8) * kDegree_rad,
+		                        uniform(random, -10, 10) * kDegree_rad};
 		const Scene scene = sideWalls(width, 14, {{5.0, 0.9, 2.0}}, {{6.2, 1.0, 2.0}});
 		const auto view = viewOf(scene, place, sensorNoise(run));
-		const auto walls =
-		    bothWalls(*view, width, 2.5, 5, uniform(random, -1.5, 1.5) * kDegree, uniform(random, -1.5, 1.5) * kDegree);
+		const auto walls = bothWalls(*view, width, 2.5, 5, uniform(random, -1.5, 1.5) * kDegree_rad,
+		                             uniform(random, -1.5, 1.5) * kDegree_rad);
 		const auto corridor = seen(*view, walls);
 		ASSERT_TRUE(corridor) << run;
 		EXPECT_LT(errorOf(*corridor, *view), 0.25) << run;
@@ -51,10 +52,10 @@ TEST(Corridor, DirectionIsBetterThanThatOfItsWalls)
 TEST(Corridor, AThirdWallThatIsAskewDoesNotPullIt)
 {
 	Scene scene = sideWalls(2.0, 14);
-	scene.wall({2.5, 0.7}, {4.0, 0.7 - 1.5 * std::tan(5 * kDegree)}, 1.2);  // cupboards, not quite along the wall
+	scene.wall({2.5, 0.7}, {4.0, 0.7 - 1.5 * std::tan(5 * kDegree_rad)}, 1.2);  // cupboards, not quite along the wall
 	const auto view = viewOf(scene, {}, sensorNoise(1));
 	auto walls = bothWalls(*view, 2.0, 2, 5);
-	walls.push_back(view->wall({2.5, 0.7}, {4.0, 0.7 - 1.5 * std::tan(5 * kDegree)}));
+	walls.push_back(view->wall({2.5, 0.7}, {4.0, 0.7 - 1.5 * std::tan(5 * kDegree_rad)}));
 	const auto corridor = seen(*view, walls);
 	ASSERT_TRUE(corridor);
 	EXPECT_LT(errorOf(*corridor, *view), 0.2);
@@ -78,7 +79,7 @@ TEST(Corridor, ParallelCupboardsVoteForIt)
 TEST(Corridor, TheFarWallOfAYawedViewIsFoundFromTheNearOne)
 {
 	// 18° off: only the left wall is within the range in which walls are looked for.
-	const auto view = viewOf(sideWalls(1.6, 14), {0, 0.2, 0.6, 18 * kDegree}, sensorNoise(2));
+	const auto view = viewOf(sideWalls(1.6, 14), {0, 0.2, 0.6, 18 * kDegree_rad}, sensorNoise(2));
 	const auto corridor = seen(*view, {view->wall({0.6, 0.8}, {4.8, 0.8})});
 	ASSERT_TRUE(corridor);
 	EXPECT_LT(errorOf(*corridor, *view), 0.3);

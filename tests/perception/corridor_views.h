@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -15,7 +14,6 @@
 
 namespace explore::test
 {
-inline constexpr double kDegree = std::numbers::pi / 180;
 
 /** Noise and gaps of a Kinect. */
 inline CameraNoise sensorNoise(std::uint32_t seed, double max_depth_m = 8.0)

@@ -1,7 +1,6 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/ground.h>
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 #include "support/random_points.h"
 
@@ -9,8 +8,6 @@ namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
-
 std::optional<FoundPlane> ground(const PointCloud& points, const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ())
 {
 	RandomEngine engine(1);
@@ -37,7 +34,7 @@ TEST(Ground, TiltUpToFifteenDegreesIsAccepted)
 	for (const double tilt_deg : {-17.0, -13.0, 0.0, 13.0, 17.0})
 	{
 		PointCloud points;
-		const Eigen::AngleAxisd tilt(tilt_deg * kDegree, Eigen::Vector3d::UnitY());
+		const Eigen::AngleAxisd tilt(tilt_deg * kDegree_rad, Eigen::Vector3d::UnitY());
 		test::addPatch(points, {0, -1, 0}, tilt * Eigen::Vector3d(2, 0, 0), {0, 2, 0}, 0.05, 0.005, random);
 		EXPECT_EQ(ground(points).has_value(), std::abs(tilt_deg) < 15) << tilt_deg << " deg";
 	}
@@ -47,7 +44,7 @@ TEST(Ground, VerticalOfTheImuReplacesTheRobots)
 {
 	std::mt19937 random(3);
 	PointCloud points;
-	const Eigen::AngleAxisd tilt(30 * kDegree, Eigen::Vector3d::UnitX());
+	const Eigen::AngleAxisd tilt(30 * kDegree_rad, Eigen::Vector3d::UnitX());
 	test::addPatch(points, tilt * Eigen::Vector3d(0, -1, 0), {2, 0, 0}, tilt * Eigen::Vector3d(0, 2, 0), 0.05, 0.005,
 	               random);
 	EXPECT_FALSE(ground(points));

@@ -1,10 +1,10 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/level_view.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "support/analytic_scene.h"
@@ -13,7 +13,6 @@ namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
 using mrpt::poses::CPose3D;
 
 RobotConfig robotOf(RobotKind kind)
@@ -91,13 +90,13 @@ TEST(LevelView, FindsTheFloorFromAnyAttitudeWithGravityKnownToADegree)
 	for (int i = 0; i < 40; ++i)
 	{
 		const CPose3D pose(0.5 * unit(random), unit(random), 1.2 + 0.5 * unit(random), 0.4 * unit(random),
-		                   30 * kDegree * unit(random), 30 * kDegree * unit(random));
+		                   30 * kDegree_rad * unit(random), 30 * kDegree_rad * unit(random));
 		DepthFrame frame = frameOf(scene, pose, CPose3D(0.1, 0, 0, 0, 0, 0), static_cast<std::uint32_t>(i));
-		const Eigen::AngleAxisd error(kDegree * unit(random),
+		const Eigen::AngleAxisd error(kDegree_rad * unit(random),
 		                              Eigen::Vector3d(unit(random), unit(random), 0).normalized());
 		frame.up_in_robot = error * trueUpInRobot(frame);
 		const LevelPose level = viewOf(frame, RobotKind::mav).pose;
-		EXPECT_LT(tiltError(frame, level), 1.2 * kDegree) << i;
+		EXPECT_LT(tiltError(frame, level), 1.2 * kDegree_rad) << i;
 		if (floorShare(frame) > 0.05)
 		{
 			EXPECT_EQ(level.floor, FloorOrigin::seen) << i;
@@ -105,7 +104,7 @@ TEST(LevelView, FindsTheFloorFromAnyAttitudeWithGravityKnownToADegree)
 		if (level.floor != FloorOrigin::seen) continue;
 		++seen;
 		EXPECT_NEAR(heightError(frame, level), 0.0, 0.03) << i;
-		EXPECT_LT(tiltError(frame, level), 0.6 * kDegree) << i;
+		EXPECT_LT(tiltError(frame, level), 0.6 * kDegree_rad) << i;
 	}
 	EXPECT_GE(seen, 15);
 }
@@ -114,21 +113,21 @@ TEST(LevelView, SurfacesCorrectAVerticalThatIsHardlyKnown)
 {
 	for (const auto& [pitch_deg, roll_deg] : {std::array{10.0, 0.0}, {0.0, -12.0}, {8.0, 9.0}, {-6.0, 10.0}})
 	{
-		const CPose3D pose(0, 0.3, 1.4, 0.2, pitch_deg * kDegree, roll_deg * kDegree);
+		const CPose3D pose(0, 0.3, 1.4, 0.2, pitch_deg * kDegree_rad, roll_deg * kDegree_rad);
 		const DepthFrame frame = frameOf(room(), pose, CPose3D(0.1, 0, 0, 0, 0, 0));
 		const LevelPose level = viewOf(frame, RobotKind::mav).pose;
-		EXPECT_LT(tiltError(frame, level), 1.5 * kDegree) << pitch_deg << ' ' << roll_deg;
+		EXPECT_LT(tiltError(frame, level), 1.5 * kDegree_rad) << pitch_deg << ' ' << roll_deg;
 	}
 }
 
 TEST(LevelView, ARecordedVerticalThatIsWrongDoesNotDestroyAClearFloor)
 {
 	DepthFrame frame = frameOf(room(), CPose3D(0, 0.3, 0, 0.2, 0, 0), CPose3D(0.1, 0, 0.9, 0, 0.1, 0));
-	frame.up_in_robot = Eigen::AngleAxisd(14 * kDegree, Eigen::Vector3d::UnitY()) * Eigen::Vector3d::UnitZ();
+	frame.up_in_robot = Eigen::AngleAxisd(14 * kDegree_rad, Eigen::Vector3d::UnitY()) * Eigen::Vector3d::UnitZ();
 	const LevelPose level = viewOf(frame).pose;
 	EXPECT_EQ(level.up, UpOrigin::surfaces);
 	EXPECT_EQ(level.floor, FloorOrigin::seen);
-	EXPECT_LT(tiltError(frame, level), 0.6 * kDegree);
+	EXPECT_LT(tiltError(frame, level), 0.6 * kDegree_rad);
 	EXPECT_NEAR(heightError(frame, level), 0.0, 0.03);
 }
 
@@ -136,11 +135,12 @@ TEST(LevelView, AVerticalThatIsRightIsKeptWhereWallsAreFarAndNoisy)
 {
 	test::Scene scene;
 	scene.wall({4.6, -6}, {4.6, 6}, 6.0);
-	DepthFrame frame = frameOf(scene, CPose3D(0, 0, 1.5, 0, -18 * kDegree, 15 * kDegree), CPose3D(0.1, 0, 0, 0, 0, 0));
+	DepthFrame frame =
+	    frameOf(scene, CPose3D(0, 0, 1.5, 0, -18 * kDegree_rad, 15 * kDegree_rad), CPose3D(0.1, 0, 0, 0, 0, 0));
 	frame.up_in_robot = trueUpInRobot(frame);
 	const LevelPose level = viewOf(frame, RobotKind::mav).pose;
 	EXPECT_EQ(level.up, UpOrigin::imu);
-	EXPECT_LT(tiltError(frame, level), 1.0 * kDegree);
+	EXPECT_LT(tiltError(frame, level), 1.0 * kDegree_rad);
 }
 
 TEST(LevelView, TablesAndBoxesAreNoFloor)
@@ -290,7 +290,7 @@ TEST(LevelView, DegenerateImagesGiveFinitePoses)
 		for (float& depth : frame.image.depth_m) depth = static_cast<float>(random() % 9000) * 1e-3F;
 		expect_finite(frame);
 	}
-	frame.robot_from_camera = CPose3D(0, 0, 1, 0, 90 * kDegree, 0);  // straight down
+	frame.robot_from_camera = CPose3D(0, 0, 1, 0, 90 * kDegree_rad, 0);  // straight down
 	expect_finite(frame);
 	frame.up_in_robot = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 	expect_finite(frame);

@@ -1,8 +1,7 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/mount.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 #include "support/analytic_scene.h"
 #include "support/random_points.h"
@@ -12,7 +11,6 @@ namespace explore
 namespace
 {
 using mrpt::poses::CPose3D;
-constexpr double kDegree = std::numbers::pi / 180;
 
 /** A frame taken with mount `truth`, that claims mount `recorded`. */
 DepthFrame frameWith(const CPose3D& truth, const CPose3D& recorded)
@@ -29,15 +27,15 @@ TEST(EstimateMount, HeightPitchAndRollOfRandomMounts)
 	for (int run = 0; run < 15; ++run)
 	{
 		const double height_m = test::uniform(random, 0.3, 1.3);
-		const double pitch_rad = test::uniform(random, -5, 30) * kDegree,
-		             roll_rad = test::uniform(random, -10, 10) * kDegree;
+		const double pitch_rad = test::uniform(random, -5, 30) * kDegree_rad,
+		             roll_rad = test::uniform(random, -10, 10) * kDegree_rad;
 		const std::vector<DepthFrame> frames{
 		    frameWith(CPose3D(0, 0, height_m, 0, pitch_rad, roll_rad), CPose3D::Identity())};
 		const auto mount = estimateMount(frames, {});
 		ASSERT_TRUE(mount) << "run " << run;
 		EXPECT_NEAR(mount->height_m, height_m, 0.02) << "run " << run;
-		EXPECT_NEAR(mount->pitch_rad, pitch_rad, 1.0 * kDegree) << "run " << run;
-		EXPECT_NEAR(mount->roll_rad, roll_rad, 1.0 * kDegree) << "run " << run;
+		EXPECT_NEAR(mount->pitch_rad, pitch_rad, 1.0 * kDegree_rad) << "run " << run;
+		EXPECT_NEAR(mount->roll_rad, roll_rad, 1.0 * kDegree_rad) << "run " << run;
 	}
 }
 
@@ -54,7 +52,7 @@ TEST(EstimateMount, NoneWithoutAFloor)
 
 TEST(MountRemark, SilentWhenTheRecordedMountIsRight)
 {
-	const CPose3D mount(0.1, 0, 0.62, 0.2, 10 * kDegree, 0);
+	const CPose3D mount(0.1, 0, 0.62, 0.2, 10 * kDegree_rad, 0);
 	const std::vector<DepthFrame> frames{frameWith(mount, mount)};
 	EXPECT_EQ(mountRemark(frames, {}).value_or(""), "");
 }
@@ -70,7 +68,7 @@ TEST(MountRemark, NamesAnOpticalFramePose)
 {
 	// What bag converters leave: the rotation to x right, y down, z forward.
 	const std::vector<DepthFrame> frames{
-	    frameWith(CPose3D(0, 0, 0.62, 0, 0, 0), CPose3D(0, 0, 0.62, -90 * kDegree, 0, -90 * kDegree))};
+	    frameWith(CPose3D(0, 0, 0.62, 0, 0, 0), CPose3D(0, 0, 0.62, -90 * kDegree_rad, 0, -90 * kDegree_rad))};
 	EXPECT_THAT(mountRemark(frames, {}).value_or(""), testing::HasSubstr("recorded height 0.62 m, pitch"));
 }
 

@@ -1,9 +1,9 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/perceive.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -14,7 +14,6 @@ namespace explore
 namespace
 {
 using mrpt::poses::CPose3D;
-constexpr double kDegree = std::numbers::pi / 180;
 const CPose3D kMount(0.1, 0.0, 0.6, 0, 0, 0);
 const test::CameraNoise kKinect{.axial_scale = 1.0, .dropout_share = 0.02};
 
@@ -89,7 +88,7 @@ TEST(Openings, SeenAtAnAngle)
 {
 	for (const double angle_deg : {-60.0, -45.0, 45.0, 60.0})
 	{
-		const double angle = angle_deg * kDegree;
+		const double angle = angle_deg * kDegree_rad;
 		const CPose3D map_from_robot(3 - 2.5 * std::cos(angle), -2.5 * std::sin(angle), 0, angle, 0, 0);
 		const Percepts percepts = look(room(0.9), map_from_robot);
 		const auto open = std::ranges::find_if(percepts.doors, isPositive);
@@ -102,7 +101,7 @@ TEST(Openings, RolledPitchedAndWithoutAFloorInView)
 {
 	for (const auto& [pitch_deg, roll_deg] : {std::pair{0.0, 20.0}, {0.0, -30.0}, {-20.0, 0.0}, {15.0, 10.0}})
 	{
-		const CPose3D mount(0, 0, 1.0, 0, pitch_deg * kDegree, roll_deg * kDegree);
+		const CPose3D mount(0, 0, 1.0, 0, pitch_deg * kDegree_rad, roll_deg * kDegree_rad);
 		DepthFrame frame = test::renderFrame(room(1.0), {}, mount, test::xtionIntrinsics(), kKinect);
 		const Percepts percepts = perceive(frame, full());
 		ASSERT_EQ(std::ranges::count_if(percepts.doors, isPositive), 1) << pitch_deg << ' ' << roll_deg;
@@ -190,7 +189,7 @@ TEST(Openings, NothingComesBackIsUnknown)
 TEST(Openings, LeafLeavesItsClearWidth)
 {
 	test::Scene scene = room(0.9);
-	const double angle = 60 * kDegree;
+	const double angle = 60 * kDegree_rad;
 	const Eigen::Vector3d hinge(3.0, 0.45, 0.0);
 	scene.patch({hinge, 0.9 * Eigen::Vector3d(std::sin(angle), -std::cos(angle), 0), Eigen::Vector3d(0, 0, 2.0)});
 	const Percepts percepts = look(scene);

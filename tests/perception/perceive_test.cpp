@@ -1,9 +1,9 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/perceive.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "support/analytic_scene.h"
 #include "support/random_points.h"
@@ -21,7 +21,6 @@ PerceptionConfig paper()
 	return config;
 }
 
-constexpr double kDegree = std::numbers::pi / 180;
 const CPose3D kMount(0.1, 0.0, 0.6, 0, 0, 0);
 
 Percepts perceiveScene(const test::Scene& scene, const CPose3D& map_from_robot, const test::CameraNoise& noise,
@@ -61,7 +60,7 @@ TEST(Perceive, DoorSeenAtAnAngle)
 {
 	for (const double yaw_deg : {-20.0, 20.0})
 	{
-		const CPose3D map_from_robot(0.8, yaw_deg > 0 ? -1.2 : 1.2, 0, yaw_deg * kDegree, 0, 0);
+		const CPose3D map_from_robot(0.8, yaw_deg > 0 ? -1.2 : 1.2, 0, yaw_deg * kDegree_rad, 0, 0);
 		const Percepts percepts = perceiveScene(frontalDoor(1.0), map_from_robot, {.axial_scale = 1.0});
 		ASSERT_EQ(percepts.doors.size(), 1U) << yaw_deg;
 		const auto& c = percepts.doors[0].center;
@@ -87,10 +86,11 @@ TEST(Perceive, CorridorDirectionAndSideDoor)
 	const test::Scene scene = test::corridorScene(9.0, {3.0}, {});
 	for (const double yaw_deg : {-8.0, 0.0, 8.0})
 	{
-		const CPose3D map_from_robot(0, 0, 0, yaw_deg * kDegree, 0, 0);
+		const CPose3D map_from_robot(0, 0, 0, yaw_deg * kDegree_rad, 0, 0);
 		const Percepts percepts = perceiveScene(scene, map_from_robot, {.axial_scale = 1.0});
 		ASSERT_FALSE(percepts.vanishing_points.empty());
-		EXPECT_NEAR(azimuthOf(percepts.vanishing_points[0].direction), -yaw_deg * kDegree, 1.0 * kDegree) << yaw_deg;
+		EXPECT_NEAR(azimuthOf(percepts.vanishing_points[0].direction), -yaw_deg * kDegree_rad, 1.0 * kDegree_rad)
+		    << yaw_deg;
 		// Turned away from the left wall, less than alpha of the points lies on it: the paper's loop stops before it.
 		if (yaw_deg < 0) continue;
 		EXPECT_EQ(percepts.vanishing_points[0].walls.size(), 2U);
@@ -122,10 +122,10 @@ TEST(Perceive, FrameDoesNotDependOnTheMountThatDescribesIt)
 {
 	// The same image seen through a turned and tilted mount: results turn with the robot frame.
 	const test::Scene scene = frontalDoor(1.0);
-	const CPose3D tilted(0.2, 0.1, 0.9, 0, 12 * kDegree, 4 * kDegree);
+	const CPose3D tilted(0.2, 0.1, 0.9, 0, 12 * kDegree_rad, 4 * kDegree_rad);
 	const Percepts percepts = perceiveScene(scene, {}, {.axial_scale = 1.0}, tilted);
 	ASSERT_TRUE(percepts.ground);
-	EXPECT_LT(angleBetweenAxes(percepts.ground->plane.normal, Eigen::Vector3d::UnitZ()), 1.0 * kDegree);
+	EXPECT_LT(angleBetweenAxes(percepts.ground->plane.normal, Eigen::Vector3d::UnitZ()), 1.0 * kDegree_rad);
 	EXPECT_NEAR(percepts.ground->camera_height_m, 0.9, 0.02);
 	ASSERT_EQ(percepts.doors.size(), 1U);
 	EXPECT_LT((percepts.doors[0].center.head<2>() - Eigen::Vector2d(3, 0)).norm(), 0.10);

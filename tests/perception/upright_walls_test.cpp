@@ -1,10 +1,10 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/upright_walls.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <random>
 
 #include "support/analytic_scene.h"
@@ -13,7 +13,6 @@ namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
 using mrpt::poses::CPose3D;
 
 /** What a camera at map_from_camera sees; up is known to the degree of the truth. */
@@ -81,19 +80,19 @@ TEST(UprightWalls, OneWallFromAnyPoseAttitudeAndNoise)
 	std::uniform_real_distribution<double> unit(-1, 1);
 	for (int i = 0; i < 40; ++i)
 	{
-		const double distance = 2.8 + 1.6 * unit(random), turn = 60 * kDegree * unit(random);
+		const double distance = 2.8 + 1.6 * unit(random), turn = 60 * kDegree_rad * unit(random);
 		const Eigen::Vector2d along(-std::sin(turn), std::cos(turn));
 		const Eigen::Vector2d foot = distance * Eigen::Vector2d(std::cos(turn), std::sin(turn));
 		const Eigen::Vector2d a = foot - 12 * along, b = foot + 12 * along;
 		test::Scene scene = hall();
 		scene.wall(a, b, 2.6);
-		const CPose3D camera(0, 0, 1.1 + 0.3 * unit(random), 0, 25 * kDegree * unit(random),
-		                     30 * kDegree * unit(random));
+		const CPose3D camera(0, 0, 1.1 + 0.3 * unit(random), 0, 25 * kDegree_rad * unit(random),
+		                     30 * kDegree_rad * unit(random));
 		const auto seen = see(scene, camera, i % 3, {}, static_cast<std::uint32_t>(i));
 		const TrueWall truth = trueWall(*seen, a, b);
 		ASSERT_FALSE(seen->walls.empty()) << i;
 		EXPECT_EQ(seen->walls.size(), 1U) << i << ": a wall found twice, or noise for a wall";
-		EXPECT_EQ(countOf(seen->walls, truth, 0.7 * kDegree, 0.03), 1) << i;
+		EXPECT_EQ(countOf(seen->walls, truth, 0.7 * kDegree_rad, 0.03), 1) << i;
 	}
 }
 
@@ -104,10 +103,11 @@ TEST(UprightWalls, CorridorDirectionIsPreciseAlthoughItsWallsAreSeenAtAGrazingAn
 	const test::Scene scene = test::corridorScene(14, {}, {});
 	for (int i = 0; i < 20; ++i)
 	{
-		const CPose3D camera(0.5 * unit(random), 0.4 * unit(random), 0.8, 10 * kDegree * unit(random), 0, 0);
+		const CPose3D camera(0.5 * unit(random), 0.4 * unit(random), 0.8, 10 * kDegree_rad * unit(random), 0, 0);
 		const auto seen = see(scene, camera, 1.0, {}, static_cast<std::uint32_t>(i));
 		for (const double y : {-1.0, 1.0})
-			EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {-2, y}, {14, y}), 0.4 * kDegree, 0.02), 1) << i << ' ' << y;
+			EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {-2, y}, {14, y}), 0.4 * kDegree_rad, 0.02), 1)
+			    << i << ' ' << y;
 	}
 }
 
@@ -118,7 +118,7 @@ TEST(UprightWalls, PiecesBesideAndBetweenDoorsAreOneWall)
 	scene.wall({7.5, -6}, {7.5, 6}, 2.6);
 	const auto seen = see(scene, {0, 0, 0.9, 0, 0, 0});
 	const TrueWall truth = trueWall(*seen, {3.5, -1.6}, {3.5, 1.6});
-	ASSERT_EQ(countOf(seen->walls, truth, 1.0 * kDegree, 0.04), 1);
+	ASSERT_EQ(countOf(seen->walls, truth, 1.0 * kDegree_rad, 0.04), 1);
 	EXPECT_NEAR(seen->walls[0].from_m, -1.6, 0.06);
 	EXPECT_NEAR(seen->walls[0].to_m, 1.6, 0.06);
 }
@@ -128,7 +128,7 @@ TEST(UprightWalls, AFarNarrowPieceBelongsToItsWall)
 	test::Scene scene = hall();
 	scene.wall({4, -1.5}, {4, 0.2}, 2.6).wall({4, 1.1}, {4, 1.25}, 2.6).wall({8, -6}, {8, 6}, 2.6);
 	const auto seen = see(scene, {0, 0, 0.9, 0, 0, 0});
-	ASSERT_EQ(countOf(seen->walls, trueWall(*seen, {4, -1.5}, {4, 0.2}), 1.5 * kDegree, 0.05), 1);
+	ASSERT_EQ(countOf(seen->walls, trueWall(*seen, {4, -1.5}, {4, 0.2}), 1.5 * kDegree_rad, 0.05), 1);
 	EXPECT_NEAR(seen->walls[0].from_m, -1.25, 0.06);  // the tangent points to the right
 	EXPECT_NEAR(seen->walls[0].to_m, 1.5, 0.06);
 }
@@ -138,8 +138,8 @@ TEST(UprightWalls, ParallelSurfacesStayApartWhereTheNoisePermitsIt)
 	test::Scene scene = hall();
 	scene.wall({1.6, -3}, {1.6, 0}, 2.6).wall({1.68, 0}, {1.68, 3}, 2.6);
 	const auto seen = see(scene, {0, 0, 0.9, 0, 0, 0});
-	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {1.6, -3}, {1.6, 0}), 1.5 * kDegree, 0.02), 1);
-	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {1.68, 0}, {1.68, 3}), 1.5 * kDegree, 0.02), 1);
+	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {1.6, -3}, {1.6, 0}), 1.5 * kDegree_rad, 0.02), 1);
+	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {1.68, 0}, {1.68, 3}), 1.5 * kDegree_rad, 0.02), 1);
 }
 
 TEST(UprightWalls, LowThingsAndLevelOnesAreNone)
@@ -155,8 +155,8 @@ TEST(UprightWalls, ACornerHasTwoWallsThatEndThere)
 	scene.wall({3, -3}, {3, 1}, 2.6).wall({-2, 1}, {3, 1}, 2.6);
 	const auto seen = see(scene, {0, 0, 0.9, 0.1, 0, 0});
 	ASSERT_EQ(seen->walls.size(), 2U);
-	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {3, -3}, {3, 1}), 0.7 * kDegree, 0.03), 1);
-	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {-2, 1}, {3, 1}), 0.7 * kDegree, 0.03), 1);
+	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {3, -3}, {3, 1}), 0.7 * kDegree_rad, 0.03), 1);
+	EXPECT_EQ(countOf(seen->walls, trueWall(*seen, {-2, 1}, {3, 1}), 0.7 * kDegree_rad, 0.03), 1);
 	for (const UprightWall& wall : seen->walls)
 	{
 		const Eigen::Vector2d left = wall.at(wall.from_m), right = wall.at(wall.to_m);

@@ -1,4 +1,5 @@
 // The bundled corridor log against the geometry it was made from (rawlogs/README.md).
+#include <explore/core/geometry.h>
 #include <explore/pipeline/explorer.h>
 #include <explore/sources/source.h>
 #include <gtest/gtest.h>
@@ -6,14 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
-
 struct TrueOpening
 {
 	Eigen::Vector2d center;
@@ -83,7 +81,7 @@ TEST_F(CorridorLog, FloorIsHalfAMetreBelowTheCamera)
 	{
 		ASSERT_TRUE(result.percepts.ground && result.percepts.ground->seen);
 		EXPECT_NEAR(result.percepts.ground->camera_height_m, 0.50, 0.01);
-		EXPECT_LT(angleBetweenAxes(result.percepts.ground->plane.normal, Eigen::Vector3d::UnitZ()), 0.5 * kDegree);
+		EXPECT_LT(angleBetweenAxes(result.percepts.ground->plane.normal, Eigen::Vector3d::UnitZ()), 0.5 * kDegree_rad);
 	}
 }
 
@@ -113,7 +111,7 @@ TEST_F(CorridorLog, VanishingPointLiesAlongTheCorridor)
 		if (!result.decision.headings.vanishing_point_rad) continue;
 		++given;
 		const double in_map_rad = wrapToPi(*result.decision.headings.vanishing_point_rad + frame.map_from_robot.yaw());
-		EXPECT_NEAR(in_map_rad, 0.0, 2 * kDegree) << "frame " << frame.index;
+		EXPECT_NEAR(in_map_rad, 0.0, 2 * kDegree_rad) << "frame " << frame.index;
 	}
 	EXPECT_GE(given, 55);
 }

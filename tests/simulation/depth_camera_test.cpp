@@ -2,17 +2,14 @@
 
 #include <explore/config/ini.h>
 #include <explore/core/errors.h>
+#include <explore/core/geometry.h>
 #include <explore/simulation/pane_optics.h>
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace explore::simulation::test
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 DepthCameraConfig exactCamera(int width_px = 320)
 {
 	DepthCameraConfig config = depthCamera("xtion", width_px);
@@ -26,12 +23,12 @@ TEST(DepthCamera, ExactDepthOfWallsAtAnyTilt)
 		for (const double distance_m : {0.8, 2.0, 4.0})
 		{
 			World world;
-			addWall(world, distance_m, tilt_deg * kDegree);
+			addWall(world, distance_m, tilt_deg * kDegree_rad);
 			const DepthImage image = shotOf(world, exactCamera()).depth;
 			for (int v = 0; v < image.intrinsics.height_px; v += 7)
 				for (int u = 0; u < image.intrinsics.width_px; u += 7)
 				{
-					const double depth = wallDepth(image.intrinsics, u, v, distance_m, tilt_deg * kDegree);
+					const double depth = wallDepth(image.intrinsics, u, v, distance_m, tilt_deg * kDegree_rad);
 					const bool in_range = depth >= 0.5 && depth <= 8.0;
 					ASSERT_NEAR(image.at(u, v), in_range ? depth : 0.0, 5e-6 * depth)
 					    << tilt_deg << " deg, " << distance_m << " m";
@@ -101,8 +98,8 @@ TEST(DepthCamera, BlackGivesNothingAndAMirrorShowsTheRoomBehind)
 TEST(DepthCamera, ATiltedMirrorShowsTheWallAroundTheCorner)
 {
 	World world;
-	addWall(world, 2.0, 45.0 * kDegree, "mirror");  // turns the view along x into one along −y
-	addWall(world, 0.0, 90.0 * kDegree, "wall", {60, 60}, {0.0, -3.0, 0.0});
+	addWall(world, 2.0, 45.0 * kDegree_rad, "mirror");  // turns the view along x into one along −y
+	addWall(world, 0.0, 90.0 * kDegree_rad, "wall", {60, 60}, {0.0, -3.0, 0.0});
 	const DepthImage image = shotOf(world, exactCamera()).depth;
 	EXPECT_NEAR(image.at(160, 120), 5.0, 0.03);
 	EXPECT_GT(returnShare(image), 0.99);
@@ -116,7 +113,7 @@ TEST(DepthCamera, PanesLoseAFifthOfTheirPixelsAtLeastAndMoreWithIncidence)
 		for (const double tilt_deg : {0.0, 45.0, 65.0, 80.0})
 		{
 			World world;
-			addWall(world, 1.5, tilt_deg * kDegree, "window glass", {0.8, 0.8});
+			addWall(world, 1.5, tilt_deg * kDegree_rad, "window glass", {0.8, 0.8});
 			DepthCameraConfig config = exactCamera(640);
 			config.intrinsics = {240, 240, 1200.0, 1200.0, 119.5, 119.5};  // a narrow view: one incidence
 			config.glass_dropout = dropout;
@@ -135,7 +132,7 @@ TEST(DepthCamera, PanesLoseAFifthOfTheirPixelsAtLeastAndMoreWithIncidence)
 			EXPECT_EQ(lost + pane + behind, total) << "either nothing, the pane or what is behind";
 			EXPECT_GT(behind, 0U);
 			EXPECT_GT(pane, 0U);
-			EXPECT_NEAR(share, 1.0 - (1.0 - dropout) * paneTransmission(std::cos(tilt_deg * kDegree)), 0.03);
+			EXPECT_NEAR(share, 1.0 - (1.0 - dropout) * paneTransmission(std::cos(tilt_deg * kDegree_rad)), 0.03);
 			EXPECT_GE(share, last - 0.02);
 			EXPECT_GE(share, 0.18);
 			last = share;
@@ -159,11 +156,11 @@ TEST(DepthCamera, WindowPanesLetLessThroughTheSteeperTheyAreSeen)
 	EXPECT_DOUBLE_EQ(paneTransmission(1.0), 1.0);
 	EXPECT_NEAR(paneTransmission(0.0), 0.0, 1e-9);
 	// Published transmittance of a pane of index 1.52: 0.918 at 0°, 0.84 at 60°, 0.46 at 80°.
-	EXPECT_NEAR(std::sqrt(paneTransmission(std::cos(60.0 * kDegree))) * 0.918, 0.84, 0.01);
+	EXPECT_NEAR(std::sqrt(paneTransmission(std::cos(60.0 * kDegree_rad))) * 0.918, 0.84, 0.01);
 	double last = 1.0;
 	for (int tilt_deg = 0; tilt_deg <= 90; ++tilt_deg)
 	{
-		const double through = paneTransmission(std::cos(tilt_deg * kDegree));
+		const double through = paneTransmission(std::cos(tilt_deg * kDegree_rad));
 		EXPECT_LE(through, last + 1e-3);
 		last = through;
 	}
@@ -247,8 +244,8 @@ TEST(DepthCamera, PresetsAndTheirNames)
 	const DepthCameraConfig xtion = depthCamera("xtion");
 	EXPECT_EQ(xtion.intrinsics.width_px, 640);
 	EXPECT_EQ(xtion.intrinsics.height_px, 480);
-	EXPECT_NEAR(2.0 * std::atan(320.0 / xtion.intrinsics.fx_px), 57.0 * kDegree, 1e-9);
-	EXPECT_NEAR(2.0 * std::atan(240.0 / xtion.intrinsics.fy_px), 45.0 * kDegree, 1e-9);
+	EXPECT_NEAR(2.0 * std::atan(320.0 / xtion.intrinsics.fx_px), 57.0 * kDegree_rad, 1e-9);
+	EXPECT_NEAR(2.0 * std::atan(240.0 / xtion.intrinsics.fy_px), 45.0 * kDegree_rad, 1e-9);
 	EXPECT_EQ(depthCamera("ideal", 320).noise, NoiseModel::none);
 	EXPECT_EQ(depthCamera("kinect").noise, NoiseModel::kinect);
 	EXPECT_THROW(depthCamera("laser"), ConfigError);

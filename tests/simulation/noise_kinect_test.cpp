@@ -1,3 +1,5 @@
+#include <explore/core/geometry.h>
+
 #include "depth_camera_worlds.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +12,6 @@ namespace explore::simulation::test
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 double axialSigma(double z)
 {
 	return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4);
@@ -68,7 +68,7 @@ TEST(NoiseKinect, DepthsAreStepsOfDisparity)
 TEST(NoiseKinect, SidewaysShiftsShowOnATiltedWall)
 {
 	// Seen in disparity a tilted wall has a constant slope: a shift of the line of sight adds slope × shift.
-	constexpr double kTilt = 55.0 * kDegree;
+	constexpr double kTilt = 55.0 * kDegree_rad;
 	World world;
 	addWall(world, 1.0, kTilt);
 	DepthCameraConfig config = depthCamera("xtion");
@@ -97,7 +97,7 @@ TEST(NoiseKinect, SidewaysShiftsShowOnATiltedWall)
 
 TEST(NoiseKinect, SteepIncidenceAddsToTheAxialNoise)
 {
-	constexpr double kTilt = 80.0 * kDegree;
+	constexpr double kTilt = 80.0 * kDegree_rad;
 	World world;
 	addWall(world, 2.0, kTilt);
 	DepthCameraConfig config = depthCamera("xtion");

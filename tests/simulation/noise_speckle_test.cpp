@@ -1,10 +1,10 @@
+#include <explore/core/geometry.h>
 #include <explore/simulation/noise_random.h>
 #include <explore/simulation/speckle_match.h>
 #include <explore/simulation/speckle_pattern.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "depth_camera_worlds.h"
 
@@ -12,8 +12,6 @@ namespace explore::simulation::test
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 DepthCameraConfig speckleCamera()
 {
 	DepthCameraConfig config = depthCamera("xtion");
@@ -155,7 +153,7 @@ TEST(NoiseSpeckle, NothingFromBlackFromShadowsAndFromGrazingWalls)
 	EXPECT_GT(holes, 0.9 * 280 * (shadow_px - 12));
 
 	World grazing;
-	addWall(grazing, 3.0, 86.0 * kDegree);
+	addWall(grazing, 3.0, 86.0 * kDegree_rad);
 	DepthCameraConfig narrow = speckleCamera();
 	narrow.intrinsics = {80, 480, narrow.intrinsics.fx_px, narrow.intrinsics.fy_px, 39.5, 239.5};
 	EXPECT_LT(returnShare(shotOf(grazing, narrow).depth), 0.5);

@@ -1,4 +1,5 @@
 // The simulated robots in free space: limits, dynamics, and what their IMU feels.
+#include <explore/core/geometry.h>
 #include <explore/simulation/simulated_robot.h>
 
 #include <gmock/gmock.h>
@@ -14,8 +15,6 @@ using mrpt::poses::CPose3D;
 
 namespace
 {
-constexpr double kDegree_rad = M_PI / 180;
-
 /** No errors: what is measured is the motion itself. */
 SimulatedRobotConfig exact()
 {

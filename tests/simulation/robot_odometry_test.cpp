@@ -1,4 +1,5 @@
 // The drift of odometry and state estimates: a random walk per metre travelled.
+#include <explore/core/geometry.h>
 #include <explore/simulation/odometry.h>
 
 #include <gmock/gmock.h>
@@ -12,8 +13,6 @@ using mrpt::poses::CPose3D;
 
 namespace
 {
-constexpr double kDegree_rad = M_PI / 180;
-
 /** Root mean square of what `errorOf` makes of many runs. */
 double rms(int runs, const std::function<double(std::uint64_t)>& errorOf)
 {

@@ -1,4 +1,5 @@
 // Clear widths of doorways with leaves, against a body that is moved through in every way.
+#include <explore/core/geometry.h>
 #include <explore/simulation/scenes/scene_doors.h>
 
 #include <gmock/gmock.h>

@@ -19,8 +19,6 @@ using testing::Lt;
 
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
-
 Eigen::Vector3d cameraOf(const TruthFrame& frame)
 {
 	return isometryOf(frame.map_from_robot + *frame.robot_from_camera).translation();
@@ -37,7 +35,7 @@ DoorView viewOf(const Scene& scene)
 	const TruthDoor& door = firstLook(scene).doors.front();
 	const Eigen::Vector2d to_camera = (cameraOf(firstLook(scene)) - door.center_in_map).head<2>();
 	const double cosine = to_camera.normalized().dot(door.normal_in_map.head<2>());
-	return {to_camera.norm(), std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree, door.width_m};
+	return {to_camera.norm(), std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree_rad, door.width_m};
 }
 
 std::vector<std::string_view> namesWhere(const std::function<bool(const SceneFamily&)>& wanted)
@@ -233,7 +231,7 @@ TEST(SceneFamilies, CorridorsHaveADirectionAndRoomsHaveNone)
 		if (corridor.state != CorridorState::corridor) continue;
 		++corridors;
 		// The robot looks along x, at most 20° off the axis.
-		EXPECT_GT(std::abs(corridor.direction_in_map.x()), std::cos(21 * kDegree));
+		EXPECT_GT(std::abs(corridor.direction_in_map.x()), std::cos(21 * kDegree_rad));
 	}
 	EXPECT_GT(corridors, 25);
 }

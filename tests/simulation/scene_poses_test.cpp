@@ -14,7 +14,6 @@ using namespace explore::test;
 
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kLooks = 4;
 
 bool touches(const Scene& scene, const RobotConfig& robot, const mrpt::poses::CPose3D& pose)
@@ -60,8 +59,8 @@ TEST(ScenePoses, AreThoseOfTheRobots)
 			const TruthFrame ground = firstLook(sceneOf(family, index, RobotKind::ground));
 			heights.push_back(ground.robot_from_camera->z());
 			EXPECT_EQ(ground.map_from_robot.z(), 0);
-			EXPECT_LE(std::abs(ground.map_from_robot.pitch()), 1.0001 * kDegree);
-			EXPECT_LE(std::abs(ground.map_from_robot.roll()), 1.0001 * kDegree);
+			EXPECT_LE(std::abs(ground.map_from_robot.pitch()), 1.0001 * kDegree_rad);
+			EXPECT_LE(std::abs(ground.map_from_robot.roll()), 1.0001 * kDegree_rad);
 			const TruthFrame mav = firstLook(sceneOf(family, index, RobotKind::mav));
 			altitudes.push_back(mav.map_from_robot.z());
 			tilts.push_back(std::abs(mav.map_from_robot.roll()));
@@ -75,8 +74,8 @@ TEST(ScenePoses, AreThoseOfTheRobots)
 	EXPECT_GE(altitudes.front(), 1.0);
 	EXPECT_LE(altitudes.back(), 2.0);
 	EXPECT_GT(altitudes.back(), 1.9);
-	EXPECT_LE(tilts.back(), 10.0001 * kDegree);
-	EXPECT_GT(tilts.back(), 9 * kDegree);
+	EXPECT_LE(tilts.back(), 10.0001 * kDegree_rad);
+	EXPECT_GT(tilts.back(), 9 * kDegree_rad);
 }
 
 TEST(ScenePoses, OfTiltedViewsAreTilted)
@@ -86,7 +85,7 @@ TEST(ScenePoses, OfTiltedViewsAreTilted)
 		{
 			const TruthFrame frame = firstLook(sceneOf("tilted_view", index, kind));
 			const mrpt::poses::CPose3D camera = frame.map_from_robot + *frame.robot_from_camera;
-			const double roll = std::abs(camera.roll()) / kDegree, pitch = camera.pitch() / kDegree;
+			const double roll = std::abs(camera.roll()) / kDegree_rad, pitch = camera.pitch() / kDegree_rad;
 			EXPECT_TRUE(roll > 8.5 || pitch < -8.5) << roll << ' ' << pitch;
 			EXPECT_LT(roll, 22);
 			EXPECT_GT(pitch, -22);
@@ -127,7 +126,7 @@ TEST(ScenePoses, OfAnApproachAreLooksOfTheirOwnAndComeNearer)
 			const auto &before = scene.looks[i - 1].truth.map_from_robot, &now = scene.looks[i].truth.map_from_robot;
 			const double moved_m = std::hypot(now.x() - before.x(), now.y() - before.y());
 			const double turned_rad = std::abs(wrapToPi(now.yaw() - before.yaw()));
-			EXPECT_TRUE(moved_m >= 0.05 || turned_rad >= 2.99 * kDegree) << moved_m << ' ' << turned_rad;
+			EXPECT_TRUE(moved_m >= 0.05 || turned_rad >= 2.99 * kDegree_rad) << moved_m << ' ' << turned_rad;
 			const double dt_s = scene.looks[i].t_s - scene.looks[i - 1].t_s;
 			EXPECT_GE(dt_s, 0.2);
 			EXPECT_LE(dt_s, 0.5);

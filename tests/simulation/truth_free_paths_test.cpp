@@ -1,4 +1,5 @@
 // How far the body can truly go, against closed forms and against stepping through the world.
+#include <explore/core/geometry.h>
 #include <explore/simulation/free_paths.h>
 #include <explore/simulation/random.h>
 #include <explore/simulation/robot_body.h>
@@ -16,8 +17,6 @@ using mrpt::poses::CPose3D;
 
 namespace
 {
-constexpr double kDegree_rad = M_PI / 180;
-
 /** Four walls, their faces `half_m` from the middle; floor and ceiling. */
 World room(double half_m, double ceiling_m)
 {

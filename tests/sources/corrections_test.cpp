@@ -1,6 +1,7 @@
 // Mount, self mask, depth correction and lens distortion.
 #include <explore/config/ini.h>
 #include <explore/core/errors.h>
+#include <explore/core/geometry.h>
 #include <explore/sources/depth_conversion.h>
 #include <mrpt/img/CImage.h>
 
@@ -30,7 +31,6 @@ TEST(Mount, FromTheIniReplacesTheRecordedOne)
 	            "[camera]\nmount = ini\npose_x = 0.1\npose_y = 0.2\npose_z = 0.3\npose_yaw = 90\npose_pitch = "
 	            "10\npose_roll = -5\n",
 	            {}, [&](FieldVisitor& fields) { describe(fields, config); });
-	constexpr double kDegree_rad = std::numbers::pi / 180;
 	expectSamePose(replay(config).at(0).robot_from_camera,
 	               {0.1, 0.2, 0.3, 90 * kDegree_rad, 10 * kDegree_rad, -5 * kDegree_rad});
 }

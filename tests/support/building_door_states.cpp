@@ -1,6 +1,8 @@
 #include "support/building_doors.h"
 #include "support/building_leaves.h"
 
+#include <explore/core/geometry.h>
+
 #include <algorithm>
 
 namespace explore::test

@@ -1,5 +1,7 @@
 #include "support/building_doors.h"
 
+#include <explore/core/geometry.h>
+
 #include <algorithm>
 
 namespace explore::test

@@ -4,14 +4,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace explore::test
 {
-inline constexpr double kDegree_rad = std::numbers::pi / 180;
 
 /** Numbers that are the same with every compiler: xorshift64* after Marsaglia and Vigna. */
 class Dice

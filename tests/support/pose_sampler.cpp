@@ -2,6 +2,8 @@
 
 #include "support/free_floor.h"
 
+#include <explore/core/geometry.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

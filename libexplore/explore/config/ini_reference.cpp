@@ -7,7 +7,7 @@ namespace explore
 {
 namespace
 {
-constexpr std::string_view kIntroduction =
+constexpr std::string_view kPageStart =
     "# Ini reference\n\n"
     "Written by the program from the same field list that loads and checks the files; `explore-mrpt --dump-config`\n"
     "prints it as a complete ini. Files are MRPT config files: `@define`, `${}`, `$env{}` and `$eval{}` work "
@@ -34,7 +34,7 @@ void writeRow(std::ostream& text, const Field& field)
 std::string iniReference(const DescribeFields& fields)
 {
 	std::ostringstream text;
-	text << kIntroduction;
+	text << kPageStart;
 	for (const auto& section : listSections(fields))
 	{
 		text << "\n## [" << section.name << "]\n\n" << section.help << "\n\n";

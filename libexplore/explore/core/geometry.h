@@ -5,9 +5,13 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <numbers>
 
 namespace explore
 {
+/** One degree [rad]: 30 * kDegree_rad. */
+inline constexpr double kDegree_rad = std::numbers::pi / 180;
+
 /** Plane a·x + b·y + c·z + d = 0 with unit normal (a, b, c), as mrpt::math::TPlane. */
 struct Plane
 {

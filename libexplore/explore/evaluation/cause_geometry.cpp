@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace explore::evaluation
 {
 namespace
 {
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 constexpr double kGroundTilt_rad = 5 * kDegree_rad, kGroundOffset_m = 0.10;
 constexpr double kWallTilt_rad = 10 * kDegree_rad, kWallOffset_m = 0.20;
 constexpr double kBesideJamb_m = 0.10;

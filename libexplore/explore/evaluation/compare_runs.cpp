@@ -22,7 +22,7 @@ struct Pair
 using Pairs = std::vector<Pair>;
 
 /** Which scenes a figure is over. */
-enum class Over
+enum class Scenes
 {
 	positives,
 	negatives,
@@ -32,58 +32,58 @@ enum class Over
 struct RatioFigure
 {
 	ComparedFigure figure;
-	Over over = Over::all;
+	Scenes over = Scenes::all;
 	SceneRatio (*of)(const Tally&) = nullptr;
 };
 
 constexpr std::array<RatioFigure, 10> kRatios{{
     {{"precision", "precision", true},
-     Over::positives,
+     Scenes::positives,
      [](const Tally& t) -> SceneRatio {
 	     return {t.main().hits, t.main().hits + t.main().false_alarms};
      }},
     {{"recall", "recall", true},
-     Over::positives,
+     Scenes::positives,
      [](const Tally& t) -> SceneRatio {
 	     return {t.main().hits, t.main().hits + t.main().misses};
      }},
     {{"false_alarms", "false alarms", false},
-     Over::negatives,
+     Scenes::negatives,
      [](const Tally& t) -> SceneRatio {
 	     return {t.false_alarm_frames, t.frames - t.unscored_frames};
      }},
     {{"open_alarms", "open alarms", false},
-     Over::negatives,
+     Scenes::negatives,
      [](const Tally& t) -> SceneRatio {
 	     return {t.open_frames, t.frames - t.unscored_frames};
      }},
     {{"narrow_recall", "narrow recall", true},
-     Over::positives,
+     Scenes::positives,
      [](const Tally& t) -> SceneRatio {
 	     return {t.narrow_hits, t.narrow_hits + t.narrow_misses};
      }},
     {{"headings", "good headings", true},
-     Over::all,
+     Scenes::all,
      [](const Tally& t) -> SceneRatio {
 	     return {t.good_headings, t.heading_frames};
      }},
     {{"collisions", "collisions", false},
-     Over::all,
+     Scenes::all,
      [](const Tally& t) -> SceneRatio {
 	     return {t.collisions, t.heading_frames};
      }},
     {{"direction_given", "direction given", true},
-     Over::all,
+     Scenes::all,
      [](const Tally& t) -> SceneRatio {
 	     return {t.corridor_given, t.corridor_frames};
      }},
     {{"direction_close", "within 2 deg", true},
-     Over::all,
+     Scenes::all,
      [](const Tally& t) -> SceneRatio {
 	     return {t.corridor_close, t.corridor_given};
      }},
     {{"direction_null", "none given", true},
-     Over::all,
+     Scenes::all,
      [](const Tally& t) -> SceneRatio {
 	     return {t.plain_null, t.plain_frames};
      }},
@@ -103,7 +103,7 @@ Measure ratioMeasure(const RatioFigure& figure, const Pairs& pairs, const Tally*
 	const auto parts = std::make_shared<std::vector<Part>>();
 	for (std::size_t i = 0; i < pairs.size(); ++i)
 	{
-		if (figure.over != Over::all && pairs[i].negative != (figure.over == Over::negatives)) continue;
+		if (figure.over != Scenes::all && pairs[i].negative != (figure.over == Scenes::negatives)) continue;
 		const SceneRatio ratio = figure.of(*(pairs[i].*run));
 		if (ratio.all > 0) parts->push_back({i, static_cast<double>(ratio.good), static_cast<double>(ratio.all)});
 	}

@@ -33,34 +33,29 @@ std::string scaled(const std::optional<double>& value, double factor, const char
 	return value ? mrpt::format(format, *value * factor) : "-";
 }
 
-std::string number(Count value)
-{
-	return std::to_string(value);
-}
-
 Cells doorCells(const Figures& figures)
 {
 	const DoorFigures& doors = figures.main();
 	const DoorCounts& counts = doors.counts;
 	const auto& causes = figures.sum.false_alarm_causes;
 	const auto twice = causes.find(std::string(nameOf(Cause::association)));
-	return {number(figures.scenes),
-	        number(counts.hits + counts.misses),
+	return {std::to_string(figures.scenes),
+	        std::to_string(counts.hits + counts.misses),
 	        percent(doors.precision),
 	        interval(doors.precision),
 	        percent(doors.recall),
 	        interval(doors.recall),
-	        number(counts.hits),
-	        number(counts.false_alarms),
-	        number(twice == causes.end() ? 0 : twice->second),
-	        number(counts.misses)};
+	        std::to_string(counts.hits),
+	        std::to_string(counts.false_alarms),
+	        std::to_string(twice == causes.end() ? 0 : twice->second),
+	        std::to_string(counts.misses)};
 }
 
 Cells recallCells(const std::optional<Rate>& recall)
 {
 	if (!recall) return {};
-	return {number(recall->all), percent(recall), interval(recall), number(recall->good),
-	        number(recall->all - recall->good)};
+	return {std::to_string(recall->all), percent(recall), interval(recall), std::to_string(recall->good),
+	        std::to_string(recall->all - recall->good)};
 }
 
 Cells mainRecallCells(const Figures& figures)
@@ -75,11 +70,11 @@ Cells narrowCells(const Figures& figures)
 
 Cells alarmCells(const Figures& figures)
 {
-	return {number(figures.scenes),
-	        number(figures.sum.frames - figures.sum.unscored_frames),
+	return {std::to_string(figures.scenes),
+	        std::to_string(figures.sum.frames - figures.sum.unscored_frames),
 	        percent(figures.false_alarm_frames),
 	        interval(figures.false_alarm_frames),
-	        number(figures.sum.open_reports),
+	        std::to_string(figures.sum.open_reports),
 	        percent(figures.open_frames),
 	        interval(figures.open_frames),
 	        percent(figures.report_frames),
@@ -108,7 +103,7 @@ void addErrors(const ErrorFigures& errors, bool biased, Cells& cells)
 Cells hitCells(const HitFigures& hits)
 {
 	if (hits.width_m.count == 0) return {};
-	Cells cells{number(hits.width_m.count)};
+	Cells cells{std::to_string(hits.width_m.count)};
 	addErrors(hits.width_m, true, cells);
 	addErrors(hits.center_m, false, cells);
 	addErrors(hits.along_m, true, cells);
@@ -129,14 +124,14 @@ Cells nearHitCells(const Figures& figures)
 Cells directionCells(const Figures& figures)
 {
 	if (!figures.direction_given && !figures.direction_null) return {};
-	return {number(figures.sum.corridor_frames),
+	return {std::to_string(figures.sum.corridor_frames),
 	        percent(figures.direction_given),
 	        interval(figures.direction_given),
 	        scaled(figures.direction_rad.median, kDegrees, "%.1f"),
 	        scaled(figures.direction_rad.p99, kDegrees, "%.1f"),
 	        percent(figures.direction_close),
 	        interval(figures.direction_close),
-	        number(figures.sum.plain_frames),
+	        std::to_string(figures.sum.plain_frames),
 	        percent(figures.direction_null),
 	        interval(figures.direction_null)};
 }
@@ -144,8 +139,12 @@ Cells directionCells(const Figures& figures)
 Cells headingCells(const Figures& figures)
 {
 	if (!figures.good_headings) return {};
-	return {number(figures.sum.heading_frames), percent(figures.good_headings), interval(figures.good_headings),
-	        number(figures.sum.stops),          number(figures.sum.good_stops), number(figures.sum.collisions),
+	return {std::to_string(figures.sum.heading_frames),
+	        percent(figures.good_headings),
+	        interval(figures.good_headings),
+	        std::to_string(figures.sum.stops),
+	        std::to_string(figures.sum.good_stops),
+	        std::to_string(figures.sum.collisions),
 	        interval(figures.collisions)};
 }
 
@@ -153,7 +152,7 @@ Cells confidenceCells(const Figures& figures)
 {
 	const ConfidenceFigures& confidence = figures.confidence;
 	if (confidence.candidates == 0) return {};
-	return {number(confidence.candidates), scaled(confidence.calibration_error, 1, "%.4f"),
+	return {std::to_string(confidence.candidates), scaled(confidence.calibration_error, 1, "%.4f"),
 	        interval(confidence.calibration_interval, "%.3f"), scaled(confidence.auroc, 1, "%.4f"),
 	        interval(confidence.auroc_interval, "%.3f")};
 }

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/evaluation/heading_score.h>
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace explore::evaluation
 namespace
 {
 constexpr double kCap_m = 5.0, kGoodShare = 0.9;
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 /** Azimuths and elevations that the camera sees, in the level frame of the robot's heading. */
 struct FieldOfView

@@ -10,18 +10,14 @@ namespace explore::evaluation
 {
 namespace
 {
-std::string number(Count value)
-{
-	return std::to_string(value);
-}
-
 std::string causeText(const Tally& sum)
 {
 	TextTable table({"<cause", "false alarms", "misses"});
 	std::map<std::string, std::pair<Count, Count>> causes;
 	for (const auto& [cause, count] : sum.false_alarm_causes) causes[cause].first = count;
 	for (const auto& [cause, count] : sum.miss_causes) causes[cause].second = count;
-	for (const auto& [cause, counts] : causes) table.row({cause, number(counts.first), number(counts.second)});
+	for (const auto& [cause, counts] : causes)
+		table.row({cause, std::to_string(counts.first), std::to_string(counts.second)});
 	return table.empty() ? "" : "Causes (all logs)\n" + table.text() + "\n";
 }
 
@@ -34,7 +30,7 @@ std::string confusionText(const Confusion& confusion)
 	{
 		if (std::ranges::all_of(confusion[i], [](Count count) { return count == 0; })) continue;
 		std::vector<std::string> row{std::string(verdictName(i))};
-		for (const Count count : confusion[i]) row.push_back(count == 0 ? "." : number(count));
+		for (const Count count : confusion[i]) row.push_back(count == 0 ? "." : std::to_string(count));
 		table.row(row);
 	}
 	return table.empty() ? "" : "Verdicts of visible doors (all logs)\n" + table.text() + "\n";
@@ -46,7 +42,7 @@ std::string reliabilityText(const std::vector<ReliabilityBin>& bins)
 	for (const ReliabilityBin& bin : bins)
 		table.row({mrpt::format("%.3f-%.3f", bin.lowest, bin.highest), mrpt::format("%.3f", bin.confidence),
 		           mrpt::format("%.3f", bin.right), mrpt::format("%+.3f", bin.right - bin.confidence),
-		           number(bin.count)});
+		           std::to_string(bin.count)});
 	return table.empty()
 	           ? ""
 	           : "Reliability: share of right candidates by confidence (all families)\n" + table.text() + "\n";
@@ -56,8 +52,8 @@ std::string withoutTruthText(const Results& results)
 {
 	TextTable table({"<log", "frames", "with a report", "reports", "positive"});
 	for (const LogScore* log : results.without_truth)
-		table.row({log->log, number(log->reports.frames), number(log->reports.report_frames),
-		           number(log->reports.reports), number(log->reports.positives)});
+		table.row({log->log, std::to_string(log->reports.frames), std::to_string(log->reports.report_frames),
+		           std::to_string(log->reports.reports), std::to_string(log->reports.positives)});
 	return table.empty() ? "" : "Logs without truth: reports alone\n" + table.text() + "\n";
 }
 

@@ -8,7 +8,7 @@ namespace explore::evaluation
 {
 namespace
 {
-constexpr double kTail = 0.025;
+constexpr double kCutOff = 0.025;
 
 void drawScenes(std::mt19937_64& random, SceneWeights& weights)
 {
@@ -32,7 +32,7 @@ std::vector<std::optional<Interval>> bootstrapIntervals(std::size_t scenes, std:
 	intervals.reserve(drawn.size());
 	for (const auto& values : drawn)
 	{
-		const auto low = quantile(values, kTail), high = quantile(values, 1.0 - kTail);
+		const auto low = quantile(values, kCutOff), high = quantile(values, 1.0 - kCutOff);
 		intervals.push_back(low && high ? std::optional(Interval{*low, *high}) : std::nullopt);
 	}
 	return intervals;

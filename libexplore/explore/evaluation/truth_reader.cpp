@@ -10,9 +10,9 @@ namespace explore::evaluation
 namespace
 {
 constexpr NumberRange kLength{0.0, 1e4}, kPositive{1e-6, 1e4}, kShare{0.0, 1.0}, kPlace{-1e6, 1e6}, kAngle{-10.0, 10.0};
-constexpr std::array kRobots{RobotKind::ground, RobotKind::mav};
-constexpr std::array kVerdicts{Verdict::open,    Verdict::ajar, Verdict::closed,  Verdict::blocked,
-                               Verdict::passage, Verdict::drop, Verdict::partial, Verdict::unknown};
+constexpr std::array kRobotChoices{RobotKind::ground, RobotKind::mav};
+constexpr std::array kVerdictChoices{Verdict::open,    Verdict::ajar, Verdict::closed,  Verdict::blocked,
+                                     Verdict::passage, Verdict::drop, Verdict::partial, Verdict::unknown};
 constexpr std::array kVisibilities{Visibility::visible, Visibility::ignored, Visibility::hidden};
 constexpr std::array kCorridorStates{CorridorState::none, CorridorState::not_scored, CorridorState::corridor};
 
@@ -29,14 +29,10 @@ int integerOf(const JsonPlace& place)
 
 RobotConfig robotOf(const JsonPlace& place)
 {
-	return {choiceOf(place.at("kind"), kRobots),
-	        place.at("radius").number(kPositive),
-	        place.at("height").number(kPositive),
-	        place.at("max_speed").number(kPositive),
-	        place.at("max_acceleration").number(kPositive),
-	        place.at("max_yaw_rate").number(kPositive),
-	        place.at("min_altitude").number(kLength),
-	        place.at("max_altitude").number(kLength)};
+	return {choiceOf(place.at("kind"), kRobotChoices),      place.at("radius").number(kPositive),
+	        place.at("height").number(kPositive),           place.at("max_speed").number(kPositive),
+	        place.at("max_acceleration").number(kPositive), place.at("max_yaw_rate").number(kPositive),
+	        place.at("min_altitude").number(kLength),       place.at("max_altitude").number(kLength)};
 }
 
 CameraIntrinsics cameraOf(const JsonPlace& place)
@@ -73,7 +69,7 @@ TruthDoor doorOf(const JsonPlace& place)
 	door.width_m = place.at("width").number(kPositive);
 	if (const auto height = place.at("height"); !height.isNull()) door.height_m = height.number(kPositive);
 	door.clear_width_m = place.at("clear_width").number(kLength);
-	door.verdict = choiceOf(place.at("verdict"), kVerdicts);
+	door.verdict = choiceOf(place.at("verdict"), kVerdictChoices);
 	door.passable = place.at("passable").boolean();
 	door.visibility = choiceOf(place.at("visibility"), kVisibilities);
 	door.visible_share = place.at("visible_share").number(kShare);

@@ -9,9 +9,9 @@ namespace explore
 {
 namespace
 {
-constexpr double kPassage_m = 0.3;  // in front of the wall's middle and behind it
-constexpr double kLowest_m = 0.15;  // above thresholds and the floor's own voxels
-constexpr double kShift_m = 0.3;    // of a mirror that is not one
+constexpr double kPassage_m = 0.3;      // in front of the wall's middle and behind it
+constexpr double kAboveFloor_m = 0.15;  // above thresholds and the floor's own voxels
+constexpr double kShift_m = 0.3;        // of a mirror that is not one
 constexpr std::array<double, 5> kMirrorHeights_m{0.3, 0.6, 0.9, 1.2, 1.5};
 constexpr double kMirrorBeside_m = 0.5;  // beyond the jambs: what a mirror shows at an angle
 
@@ -25,9 +25,9 @@ struct BodyRoom
  *  below the lintel. */
 BodyRoom roomOf(const DoorPlace& place, const RobotConfig& robot)
 {
-	if (robot.kind == RobotKind::ground) return {kLowest_m, robot.height_m, robot.height_m - kLowest_m};
+	if (robot.kind == RobotKind::ground) return {kAboveFloor_m, robot.height_m, robot.height_m - kAboveFloor_m};
 	const double half_m = 0.5 * robot.height_m;
-	return {std::max(kLowest_m, robot.min_altitude_m - half_m),
+	return {std::max(kAboveFloor_m, robot.min_altitude_m - half_m),
 	        std::min(robot.max_altitude_m + half_m, place.height_m.value_or(kUsualDoorHeight_m)), robot.height_m};
 }
 

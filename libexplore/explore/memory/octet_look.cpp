@@ -29,7 +29,7 @@ constexpr Octet<unsigned> kBit{1, 2, 4, 8, 16, 32, 64, 128};
 }
 
 /** The last whole number not above; the bounds keep the conversion defined. */
-[[gnu::always_inline]] inline int floorOf(float pixel)
+[[gnu::always_inline]] inline int pixelBelow(float pixel)
 {
 	return static_cast<int>(larger(smaller(pixel, kFarOutside_px), -kFarOutside_px) + kFarOutside_px) -
 	       static_cast<int>(kFarOutside_px);
@@ -47,7 +47,7 @@ struct ImageAxis
                                               const Octet<float>& per_depth, Octet<int>& pixel)
 {
 	for (std::size_t i = 0; i < kOctet; ++i)
-		pixel[i] = floorOf(axis.at_axis + axis.scale * across[i] * per_depth[i] + 0.5F);
+		pixel[i] = pixelBelow(axis.at_axis + axis.scale * across[i] * per_depth[i] + 0.5F);
 }
 
 struct Depths
@@ -64,8 +64,8 @@ struct Depths
 		const float a = axis.at_axis + axis.scale * low * (low < 0.0F ? depths.per_nearest[i] : depths.per_farthest[i]);
 		const float b =
 		    axis.at_axis + axis.scale * high * (high > 0.0F ? depths.per_nearest[i] : depths.per_farthest[i]);
-		first[i] = larger(floorOf(smaller(a, b) - kRounding_px) + 1, 0);
-		last[i] = smaller(floorOf(larger(a, b) + kRounding_px), axis.last);
+		first[i] = larger(pixelBelow(smaller(a, b) - kRounding_px) + 1, 0);
+		last[i] = smaller(pixelBelow(larger(a, b) + kRounding_px), axis.last);
 	}
 }
 

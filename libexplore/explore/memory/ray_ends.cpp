@@ -12,7 +12,7 @@ namespace
 constexpr int kNoEnd = -1;
 
 /** Rounds down; what truncation gets wrong below zero is mended, which vectorises, unlike std::floor. */
-int floorOf(float value)
+int roundedDown(float value)
 {
 	const int truncated = static_cast<int>(value);
 	return truncated - static_cast<int>(value < static_cast<float>(truncated));
@@ -35,9 +35,9 @@ struct Row
 	for (int u = 0; u < row.width; ++u)
 	{
 		const float depth_m = row.reach_m[u], left = row.left[u];
-		const int x = row.from[0] + floorOf(row.origin[0] + depth_m * (row.start[0] + left * row.slope[0]));
-		const int y = row.from[1] + floorOf(row.origin[1] + depth_m * (row.start[1] + left * row.slope[1]));
-		const int z = row.from[2] + floorOf(row.origin[2] + depth_m * (row.start[2] + left * row.slope[2]));
+		const int x = row.from[0] + roundedDown(row.origin[0] + depth_m * (row.start[0] + left * row.slope[0]));
+		const int y = row.from[1] + roundedDown(row.origin[1] + depth_m * (row.start[1] + left * row.slope[1]));
+		const int z = row.from[2] + roundedDown(row.origin[2] + depth_m * (row.start[2] + left * row.slope[2]));
 		const int block = ((x >> kBlockBits) * edge + (y >> kBlockBits)) * edge + (z >> kBlockBits);
 		const int ends_here = static_cast<int>(row.depth_m[u] > 0.0F) & static_cast<int>(row.depth_m[u] <= depth_m);
 		ends[u] = (block * kBlockVoxels + placeInBlock(x, y, z)) | (ends_here - 1);  // kNoEnd has all bits set

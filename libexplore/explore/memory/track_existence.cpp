@@ -1,18 +1,17 @@
+#include <explore/core/geometry.h>
 #include <explore/memory/track_existence.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kLook_m = 0.05, kLook_rad = 3 * kDegree, kLook_s = 0.2;
+constexpr double kLook_m = 0.05, kLook_rad = 3 * kDegree_rad, kLook_s = 0.2;
 // A view is another one after a step or a turn like these.
-constexpr double kOtherView_m = 0.25, kOtherView_rad = 10 * kDegree;
+constexpr double kOtherView_m = 0.25, kOtherView_rad = 10 * kDegree_rad;
 constexpr double kRounding = 1e-9;  // of times and places that are said to be apart by a round number
 
 struct Move

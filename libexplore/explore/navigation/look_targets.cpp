@@ -127,7 +127,7 @@ std::optional<LookTarget> bestLook(const PlanMap& map, const TravelField& field,
 	if (field.start == kNoCell) return std::nullopt;
 	const double away_m = (map.middleOf(field.start) - frontier.middle_in_map).norm();
 	if (away_m > kNear_m)
-		if (const auto rough = bestOfLattice(map, field, frontier, 2 * kLattice_cells, config)) return rough;
+		if (auto rough = bestOfLattice(map, field, frontier, 2 * kLattice_cells, config)) return rough;
 	return bestOfLattice(map, field, frontier, kLattice_cells, config);
 }
 

@@ -17,7 +17,7 @@ constexpr double kAhead_m = 0.5;
 constexpr double kTurnFrom_rad = 0.6, kTurnUntil_rad = 0.15;
 constexpr double kTurnTime_s = 0.5;
 /** Blocked for so long, it backs off so far, so fast; the spot ahead is avoided for a while. */
-constexpr double kPatience_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
+constexpr double kWait_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
 /** A robot that drives gets this far within its patience. */
 constexpr double kHeadway_m = 0.05;
 /** It turns back to where it was so far from here. */
@@ -109,14 +109,14 @@ bool isHeld(Steering& steering, const MissionNow& now)
 		steering.got_to_in_map = at;
 		steering.got_there_at_s = now.t_s;
 	}
-	return now.t_s - steering.got_there_at_s > kPatience_s;
+	return now.t_s - steering.got_there_at_s > kWait_s;
 }
 
 /** Whether the robot has had no way for a while. */
 bool isStuck(Steering& steering, const MissionNow& now)
 {
 	const bool held = isHeld(steering, now);
-	return held || (steering.blocked_since_s && now.t_s - *steering.blocked_since_s >= kPatience_s);
+	return held || (steering.blocked_since_s && now.t_s - *steering.blocked_since_s >= kWait_s);
 }
 
 /** Whether the robot is backing off in this frame. */

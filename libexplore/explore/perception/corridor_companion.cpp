@@ -12,7 +12,7 @@ namespace
 {
 constexpr double kLayer_m = 0.04, kStrip_m = 0.1;
 constexpr std::size_t kLayers = 128, kStrips = 96;
-constexpr std::size_t kFewestStrips = 6, kFewestPoints = 40;
+constexpr std::size_t kFewestStrips = 6, kFewestOfLayer = 40;
 
 /** Points at one distance, and which strips along the wall they are in. */
 struct Layer
@@ -53,7 +53,7 @@ std::optional<UprightWall> companionOf(const UprightWall& wall, const PlanPoints
 	for (std::size_t k = 0; k + 1 < kLayers; ++k)
 	{
 		const Layer layer = together(layers[k], layers[k + 1]);
-		if (layer.points < kFewestPoints || layer.strips.count() <= best.strips.count()) continue;
+		if (layer.points < kFewestOfLayer || layer.strips.count() <= best.strips.count()) continue;
 		best = layer;
 		best_across_m = nearest + static_cast<double>(k + 1) * kLayer_m;
 	}

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/floor.h>
 #include <explore/perception/floor_samples.h>
 
@@ -5,16 +6,14 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kFacingUp = 25 * kDegree;  // a sample's normal is that uncertain
-constexpr double kUneven_m = 0.004;         // floors are not flat
-constexpr double kCorrelated = 40.0;        // so many samples count as one against the prior
+constexpr double kFacingUp = 25 * kDegree_rad;  // a sample's normal is that uncertain
+constexpr double kUneven_m = 0.004;             // floors are not flat
+constexpr double kCorrelatedSamples = 40.0;     // so many samples count as one against the prior
 constexpr double kSigmas = 2.5;
 
 /** Which samples a fit takes: within base + slope · depth + noise of the plane. */
@@ -50,7 +49,7 @@ FloorFit refit(const std::vector<FloorSample>& samples, const FloorFit& start, c
 		const double above = depth * height * (inverse + start.slope.dot(ray));
 		if (std::abs(above) > gate.base_m + gate.slope * depth + kSigmas * sigma * height * inverse) continue;
 		const double deviation = inverse * std::hypot(sigma * inverse, kUneven_m / height);
-		const double weight = 1.0 / (kCorrelated * deviation * deviation);
+		const double weight = 1.0 / (kCorrelatedSamples * deviation * deviation);
 		information += weight * ray * ray.transpose();
 		right -= weight * inverse * ray;
 		++fit.samples;
@@ -65,7 +64,7 @@ FloorFit refit(const std::vector<FloorSample>& samples, const FloorFit& start, c
 std::optional<FloorFit> fitAt(const HeightPeak& peak, const std::vector<FloorSample>& samples, const UpPrior& up,
                               const FloorConfig& config, const SensorNoiseConfig& noise)
 {
-	const double slope = std::max(up.sigma_rad, 0.3 * kDegree);
+	const double slope = std::max(up.sigma_rad, 0.3 * kDegree_rad);
 	FloorFit fit;
 	fit.slope = up.up / peak.below_m;
 	for (const Gate& gate : {Gate{0.05, 0.3 * slope}, Gate{0.03, 0.6 * slope}, Gate{0.02, 0.004}, Gate{0.015, 0.002}})
@@ -87,7 +86,7 @@ Floor floorOf(const FloorFit& fit)
 	    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tilt, Eigen::EigenvaluesOnly).eigenvalues()(2);
 	return {{normal, height},
 	        fit.samples,
-	        std::max(0.2 * kDegree, height * std::sqrt(std::max(0.0, largest))),
+	        std::max(0.2 * kDegree_rad, height * std::sqrt(std::max(0.0, largest))),
 	        std::max(0.005, height * height * std::sqrt(normal.dot(fit.covariance * normal)))};
 }
 

@@ -1,14 +1,12 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/ground_memory.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 /** Does the pose tell roll, pitch and height, as a flying robot needs? */
 bool tellsAttitude(PoseOrigin origin, const mrpt::poses::CPose3D& map_from_robot)
 {
@@ -25,7 +23,7 @@ struct Motion
 void growWithMotion(UncertainGround& ground, const Motion& motion)
 {
 	ground.tilt_sigma_rad +=
-	    0.3 * kDegree * motion.metres + 0.01 * motion.radians + 0.05 * kDegree * std::sqrt(motion.seconds);
+	    0.3 * kDegree_rad * motion.metres + 0.01 * motion.radians + 0.05 * kDegree_rad * std::sqrt(motion.seconds);
 	ground.height_sigma_m += 0.02 * motion.metres + 0.002 * motion.seconds;
 }
 
@@ -33,7 +31,7 @@ void growWithMotion(UncertainGround& ground, const Motion& motion)
 void growBlindly(UncertainGround& ground, double seconds, const RobotConfig& robot)
 {
 	const bool flies = robot.kind == RobotKind::mav;
-	ground.tilt_sigma_rad += (flies ? 10.0 : 0.5) * kDegree * seconds;
+	ground.tilt_sigma_rad += (flies ? 10.0 : 0.5) * kDegree_rad * seconds;
 	ground.height_sigma_m += (flies ? 0.5 * robot.max_speed_mps : 0.01) * seconds;
 }
 

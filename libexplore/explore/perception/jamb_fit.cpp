@@ -13,7 +13,7 @@ namespace
 constexpr double kBin_m = 0.005;
 constexpr std::size_t kMaxBins = 128;
 constexpr int kEnoughRays = 4000;  // more rows do not make the edge sharper
-constexpr int kFewRays = 12;
+constexpr int kFewOfJamb = 12;
 constexpr double kCasing_m = 0.05;  // wide, at least
 constexpr double kThickest_m = 0.04;
 constexpr double kFace_m = 0.02;    // inside an edge, where its jamb's face is looked for
@@ -110,7 +110,7 @@ double reliefAt(const EdgeHistogram& edge, std::size_t bin)
 {
 	const std::size_t end = std::min(edge.bins, bin + static_cast<std::size_t>(kCasing_m / kBin_m));
 	const int rays = sum(edge.near_plane, bin, end);
-	if (rays < kFewRays) return 0.0;
+	if (rays < kFewOfJamb) return 0.0;
 	const auto first = edge.front_sum_m.begin();
 	const float front_m =
 	    std::accumulate(first + static_cast<std::ptrdiff_t>(bin), first + static_cast<std::ptrdiff_t>(end), 0.0F);
@@ -128,7 +128,7 @@ Jamb jambAt(const EdgeHistogram& edge, const std::array<int, kMaxBins>& standing
 	jamb.rays = sum(edge.all, bin, end);
 	// A nearer edge casts a shadow without returns on the wall behind; that says nothing about the wall.
 	const int missing = sum(edge.missing, bin, end);
-	const int counted = jamb.rays - missing >= kFewRays ? jamb.rays - missing : jamb.rays;
+	const int counted = jamb.rays - missing >= kFewOfJamb ? jamb.rays - missing : jamb.rays;
 	jamb.support = counted == 0 ? 0.0 : static_cast<double>(sum(standing, bin, end)) / counted;
 	jamb.relief_m = reliefAt(edge, bin);
 	const auto inward = static_cast<std::size_t>(std::max(kFace_m, 3.0 * edge.ray_width_m) / kBin_m);
@@ -146,7 +146,7 @@ Jamb fitJamb(const RayJudge& judge, double guess_m, JambSide side, const RayEvid
 	const EdgeHistogram edge = histogramAround(judge, guess_m, side, band, config);
 	const auto back_off = static_cast<std::size_t>(0.5 * edge.ray_width_m / kBin_m);
 	// Nothing leads behind (black, glass): the edge is where the wall begins, against no return at all.
-	const bool leads_on = sum(edge.inside, 0, edge.bins) >= kFewRays;
+	const bool leads_on = sum(edge.inside, 0, edge.bins) >= kFewOfJamb;
 	std::array<int, kMaxBins> inside = edge.inside;
 	if (!leads_on)
 		for (std::size_t i = 0; i < edge.bins; ++i) inside.at(i) = edge.all.at(i) - edge.outside.at(i);
@@ -160,7 +160,7 @@ Jamb fitJamb(const RayJudge& judge, double guess_m, JambSide side, const RayEvid
 	};
 	const EdgeChoice on_plane = bestEdge(edge.near_plane, inside, edge.bins, back_off);
 	const Jamb wall = jambAt(edge, edge.near_plane, on_plane.bin, JambKind::wall, config);
-	if (wall.rays >= kFewRays && wall.support >= kStands)
+	if (wall.rays >= kFewOfJamb && wall.support >= kStands)
 	{
 		const Jamb own = jambAt(edge, edge.on_wall, on_plane.bin, JambKind::wall, config);
 		if (own.support >= 0.5 * wall.support) return placed(wall, on_plane.bin);
@@ -168,7 +168,7 @@ Jamb fitJamb(const RayJudge& judge, double guess_m, JambSide side, const RayEvid
 
 	const EdgeChoice any = bestEdge(edge.outside, inside, edge.bins, back_off);
 	Jamb other = jambAt(edge, edge.outside, any.bin, JambKind::hidden, config);
-	if (other.rays < kFewRays) return placed({0.0, JambKind::out_of_view, 0.0, other.rays}, any.bin);
+	if (other.rays < kFewOfJamb) return placed({0.0, JambKind::out_of_view, 0.0, other.rays}, any.bin);
 	if (other.support < kStands) return placed({0.0, JambKind::nothing, other.support, other.rays}, any.bin);
 	// A surface across meets the wall's plane right at the edge; what merely hides the jamb stands off.
 	const auto reach = static_cast<std::size_t>(std::max(kOnEdge_m, 2.0 * edge.ray_width_m) / kBin_m);

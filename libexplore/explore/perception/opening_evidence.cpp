@@ -10,28 +10,28 @@ namespace explore
 {
 namespace
 {
-constexpr int kFewRays = 8;
+constexpr int kFewInBin = 8;
 
 /** Height where the wall begins again above the opening: the first bin, from door height on, that is mostly wall. */
 std::optional<double> lintelHeight(const std::vector<RayCounts>& heights)
 {
-	constexpr double kLowest_m = 0.5;
+	constexpr double kOverSills_m = 0.5;
 	constexpr std::size_t kBins = 3;  // of wall: a ceiling that meets the wall's plane is thinner
 	// Where most rays are lost, the few that return at an opening's edges say nothing about its middle.
 	constexpr double kReturned = 0.35;
 	const auto wall_share = [](const RayCounts& bin) { return shareOf(bin.wall, bin.all - bin.nothing); };
 	const auto is_wall = [&](std::size_t i)
 	{
-		return i < heights.size() && heights[i].all >= kFewRays && wall_share(heights[i]) >= 0.5 &&
+		return i < heights.size() && heights[i].all >= kFewInBin && wall_share(heights[i]) >= 0.5 &&
 		       shareOf(heights[i].wall, heights[i].all) >= kReturned;
 	};
-	for (auto i = static_cast<std::size_t>(kLowest_m / kRayHeightBin_m); i < heights.size(); ++i)
+	for (auto i = static_cast<std::size_t>(kOverSills_m / kRayHeightBin_m); i < heights.size(); ++i)
 	{
 		bool goes_on = true;
 		for (std::size_t k = 0; k < kBins; ++k) goes_on = goes_on && is_wall(i + k);
 		if (!goes_on) continue;
 		// The bin in which it begins is partly wall, and so may be the one below.
-		const double below = heights[i - 1].all < kFewRays ? 0.0 : wall_share(heights[i - 1]);
+		const double below = heights[i - 1].all < kFewInBin ? 0.0 : wall_share(heights[i - 1]);
 		return kRayHeightBin_m * (static_cast<double>(i + 1) - wall_share(heights[i]) - below);
 	}
 	return std::nullopt;
@@ -49,7 +49,7 @@ double sillShare(const std::vector<RayCounts>& heights)
 		sum.wall += heights[i].wall + heights[i].beside;
 	}
 	const int returned = sum.all - sum.nothing;
-	return returned < kFewRays || shareOf(returned, sum.all) < kReturned ? 0.0 : shareOf(sum.wall, returned);
+	return returned < kFewInBin || shareOf(returned, sum.all) < kReturned ? 0.0 : shareOf(sum.wall, returned);
 }
 
 double longestThrough(const std::vector<RayCounts>& strips)
@@ -73,7 +73,7 @@ double topOf(const std::vector<RayCounts>& heights)
 	{
 		const RayCounts& bin = heights[i];
 		const int seen = bin.all - bin.nothing;
-		if (seen < kFewRays) continue;
+		if (seen < kFewInBin) continue;
 		if (2 * bin.behind() < seen) break;
 		++over;
 		top = i;
@@ -139,9 +139,9 @@ OpeningEvidence evidenceOf(const RayTally& tally)
 	evidence.highest_seen_m = tally.highest_m;
 	const int far_rays = tally.far_floor + tally.no_far_floor;
 	const int near_rays = tally.floor + tally.below_floor;
-	if (near_rays >= kFewRays)
+	if (near_rays >= kFewInBin)
 		evidence.floor_beyond = shareOf(tally.floor, near_rays);
-	else if (far_rays >= kFewRays)
+	else if (far_rays >= kFewInBin)
 		evidence.floor_beyond = shareOf(tally.far_floor, far_rays);
 	return evidence;
 }
@@ -183,7 +183,7 @@ OpeningMeasure measureOpening(const RayJudge& judge, const LevelView& view, cons
 	measure.rays = tally.body.all - tally.body.front + tally.reveals;
 	measure.no_return_beside = shareOf(tally.wall_nothing, tally.wall_rays);
 	measure.holes_beside = tally.wall_holes.share();
-	measure.floor_missing = tally.near_floor < 2 * kFewRays ? 0.0 : shareOf(tally.no_floor, tally.near_floor);
+	measure.floor_missing = tally.near_floor < 2 * kFewInBin ? 0.0 : shareOf(tally.no_floor, tally.near_floor);
 	measure.through_run_m = longestThrough(tally.strips);
 	measure.stop_depth_m = medianOf(tally.stop_depths_m);
 	measure.top_beside_m = std::min(topOf(tally.left_heights), topOf(tally.right_heights));

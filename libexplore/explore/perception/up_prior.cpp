@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/up_prior.h>
 
 #include <Eigen/Cholesky>
@@ -21,15 +22,14 @@ std::size_t placeOf(int row, int column, const SampleGrid& grid)
 	return unsignedOf(row) * unsignedOf(grid.columns) + unsignedOf(column);
 }
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kLyingDown = 0.5;        // cosine: more than 60° off the robot's z axis is no attitude to fly at
-constexpr double kNormalSigma = 0.15;     // of one sample's normal, rad
-constexpr double kCorrelated = 10.0;      // so many neighbouring normals count as one: they share depths and steps
-constexpr std::size_t kMinNormals = 200;  // fewer say nothing
+constexpr double kLyingDown = 0.5;           // cosine: more than 60° off the robot's z axis is no attitude to fly at
+constexpr double kNormalSigma = 0.15;        // of one sample's normal, rad
+constexpr double kCorrelatedNormals = 10.0;  // so many neighbouring normals count as one: they share depths and steps
+constexpr std::size_t kMinNormals = 200;     // fewer say nothing
 constexpr int kThinning = 3;
 constexpr double kSteady_rad = 0.1;  // noise of a normal that is of use
 constexpr int kMinReach = 2, kMaxReach = 10;
-constexpr double kWellPrior = 1.2 * kDegree;  // this good a prior is only checked, in few steps
+constexpr double kWellPrior = 1.2 * kDegree_rad;  // this good a prior is only checked, in few steps
 
 using Normals = std::vector<Eigen::Vector3f>;
 
@@ -164,7 +164,7 @@ Eigen::Vector3f converge(const Normals& normals, const Eigen::Vector3f& start, d
 	Eigen::Vector3f up = start;
 	for (const double reach_deg : reaches_deg)
 	{
-		const Consensus sum = consensusAt(normals, up, reach_deg * kDegree);
+		const Consensus sum = consensusAt(normals, up, reach_deg * kDegree_rad);
 		const auto [e1, e2] = tangentsOf(up);
 		const Eigen::Vector2d back(start.dot(e1), start.dot(e2));
 		const Eigen::Matrix2d information = sum.information + (prior_weight + 1e-3) * Eigen::Matrix2d::Identity();
@@ -176,7 +176,7 @@ Eigen::Vector3f converge(const Normals& normals, const Eigen::Vector3f& start, d
 /** Weaker of the two directions in which `up` can be off. */
 double weakestInformation(const Normals& normals, const Eigen::Vector3f& up)
 {
-	const Consensus sum = consensusAt(normals, up, 15 * kDegree);
+	const Consensus sum = consensusAt(normals, up, 15 * kDegree_rad);
 	return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(sum.information).eigenvalues()(0);
 }
 
@@ -186,13 +186,13 @@ std::optional<UpPrior> contradiction(const UpPrior& prior, const Normals& normal
 	const Eigen::Vector3f start = prior.up.cast<float>();
 	const Eigen::Vector3f free = converge(normals, start, 0.0, {30, 25, 20, 15, 12, 12});
 	const double off = angleBetweenAxes(free.cast<double>(), prior.up);
-	if (off < std::max(5 * kDegree, 3 * prior.sigma_rad)) return std::nullopt;
-	const double there = consensusAt(normals, free, 10 * kDegree).support;
-	const double here = consensusAt(normals, start, 10 * kDegree).support;
+	if (off < std::max(5 * kDegree_rad, 3 * prior.sigma_rad)) return std::nullopt;
+	const double there = consensusAt(normals, free, 10 * kDegree_rad).support;
+	const double here = consensusAt(normals, start, 10 * kDegree_rad).support;
 	const auto all = static_cast<double>(normals.size());
 	const bool clear = there > 0.4 * all && there > 1.5 * here && weakestInformation(normals, free) > 0.1 * all;
 	if (!clear) return std::nullopt;
-	return UpPrior{free.cast<double>(), 1.5 * kDegree, UpOrigin::surfaces};
+	return UpPrior{free.cast<double>(), 1.5 * kDegree_rad, UpOrigin::surfaces};
 }
 }  // namespace
 
@@ -231,16 +231,16 @@ UpPrior refineUp(const UpPrior& prior, const SampleGrid& grid, const SensorNoise
 {
 	const Normals normals = steadyNormals(grid, noise);
 	if (normals.size() < kMinNormals) return prior;
-	if (prior.sigma_rad < 6 * kDegree)
+	if (prior.sigma_rad < 6 * kDegree_rad)
 		if (const auto wrong = contradiction(prior, normals)) return *wrong;
 
-	const double prior_weight = kCorrelated * kNormalSigma * kNormalSigma / (prior.sigma_rad * prior.sigma_rad);
+	const double prior_weight = kCorrelatedNormals * kNormalSigma * kNormalSigma / (prior.sigma_rad * prior.sigma_rad);
 	const Eigen::Vector3f start = prior.up.cast<float>();
 	const Eigen::Vector3f up = prior.sigma_rad > kWellPrior
 	                               ? converge(normals, start, prior_weight, {30, 25, 20, 15, 15, 15})
 	                               : converge(normals, start, prior_weight, {15, 15});
 	const double information = weakestInformation(normals, up) + prior_weight;
-	const double sigma = std::sqrt(kCorrelated / information) * kNormalSigma;
-	return {up.cast<double>(), std::min(prior.sigma_rad, std::max(sigma, 0.3 * kDegree)), prior.origin};
+	const double sigma = std::sqrt(kCorrelatedNormals / information) * kNormalSigma;
+	return {up.cast<double>(), std::min(prior.sigma_rad, std::max(sigma, 0.3 * kDegree_rad)), prior.origin};
 }
 }  // namespace explore

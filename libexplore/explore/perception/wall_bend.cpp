@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/wall_bend.h>
 
 #include <algorithm>
@@ -10,13 +11,12 @@ namespace explore
 {
 namespace
 {
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMinLength_m = 1.0;
 constexpr std::size_t kMinSamples = 600;
-constexpr double kSquare_rad = 8 * kDegree;  // rooms are square; what is further off is another room's wall
-constexpr double kMinLever_m = 0.8;          // between the lateral distances of two walls
-constexpr double kMinCosine = 0.966;         // of the view's elevation, 15°
-constexpr double kBuilding_per_m = 0.0015;   // walls 2 m apart are parallel to 0.2° or so
+constexpr double kSquare_rad = 8 * kDegree_rad;  // rooms are square; what is further off is another room's wall
+constexpr double kMinLever_m = 0.8;              // between the lateral distances of two walls
+constexpr double kMinCosine = 0.966;             // of the view's elevation, 15°
+constexpr double kBuilding_per_m = 0.0015;       // walls 2 m apart are parallel to 0.2° or so
 constexpr std::size_t kMinFrames = 20;
 constexpr double kSigmas = 3.0;
 constexpr double kWorthSaying_per_m = 0.004;  // 10 cm at 5 m

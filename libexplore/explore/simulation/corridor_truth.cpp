@@ -24,7 +24,7 @@ Stations lookAtWall(const CorridorLabel& label, double side, const RayScene& sce
 	const auto seen = [&](const Eigen::Vector2d& place, double z)
 	{
 		const Eigen::Vector3d point(place.x(), place.y(), z);
-		return view.sightOf(point) == Sight::clear && scene.clearance(point, kWall_m) < kWall_m;
+		return view.sightOf(point) == PointSight::clear && scene.clearance(point, kWall_m) < kWall_m;
 	};
 	Stations stations(count);
 	for (std::size_t i = 0; i < count; ++i)

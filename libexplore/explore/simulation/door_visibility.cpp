@@ -11,7 +11,7 @@ constexpr int kColumns = 12, kRows = 20, kJambPoints = 40, kLintelPoints = 25;
 constexpr double kBeforeWall_m = 0.02, kInsideEdge_m = 0.03, kMeasuredHeight_m = 2.0;
 
 /** The opening as it is seen from the camera's side. */
-struct Opening
+struct DoorHole
 {
 	Eigen::Vector3d origin;  ///< middle of the floor line, before the wall's near face
 	Eigen::Vector3d left;    ///< unit, horizontal
@@ -32,26 +32,26 @@ double middle(double from, double to, int index, int count)
 struct Count
 {
 	int all = 0, in_image = 0, clear = 0, glass = 0;
-	void add(Sight sight)
+	void add(PointSight sight)
 	{
 		++all;
-		in_image += sight != Sight::outside ? 1 : 0;
-		clear += sight == Sight::clear ? 1 : 0;
-		glass += sight == Sight::glass ? 1 : 0;
+		in_image += sight != PointSight::outside ? 1 : 0;
+		clear += sight == PointSight::clear ? 1 : 0;
+		glass += sight == PointSight::glass ? 1 : 0;
 	}
 	[[nodiscard]] double share(int part) const { return all > 0 ? static_cast<double>(part) / all : 0.0; }
 	/** Over at least half of what the image could show. */
 	[[nodiscard]] bool seen() const { return in_image > 0 && 2 * clear >= in_image; }
 };
 
-Opening openingOf(const DoorLabel& label, const Eigen::Vector3d& normal)
+DoorHole openingOf(const DoorLabel& label, const Eigen::Vector3d& normal)
 {
 	const double top = std::min(label.height_m.value_or(kMeasuredHeight_m), kMeasuredHeight_m);
 	return {label.floor_center_in_map + (0.5 * label.depth_m + kBeforeWall_m) * normal,
 	        normal.cross(Eigen::Vector3d::UnitZ()), 0.5 * label.width_m, std::min(label.sill_m, top), top};
 }
 
-Count lookAtGrid(const Opening& opening, const TruthView& view, const std::string& leaf)
+Count lookAtGrid(const DoorHole& opening, const TruthView& view, const std::string& leaf)
 {
 	Count count;
 	for (int row = 0; row < kRows; ++row)
@@ -62,7 +62,7 @@ Count lookAtGrid(const Opening& opening, const TruthView& view, const std::strin
 	return count;
 }
 
-Count lookAtJamb(const Opening& opening, double left_m, const TruthView& view, const std::string& leaf)
+Count lookAtJamb(const DoorHole& opening, double left_m, const TruthView& view, const std::string& leaf)
 {
 	Count count;
 	for (int i = 0; i < kJambPoints; ++i)
@@ -70,7 +70,7 @@ Count lookAtJamb(const Opening& opening, double left_m, const TruthView& view, c
 	return count;
 }
 
-Count lookAtLintel(const Opening& opening, double height_m, const TruthView& view, const std::string& leaf)
+Count lookAtLintel(const DoorHole& opening, double height_m, const TruthView& view, const std::string& leaf)
 {
 	Count count;
 	for (int i = 0; i < kLintelPoints; ++i)
@@ -79,7 +79,7 @@ Count lookAtLintel(const Opening& opening, double height_m, const TruthView& vie
 	return count;
 }
 
-bool before(const Opening& opening, const TruthView& view)
+bool before(const DoorHole& opening, const TruthView& view)
 {
 	for (const double left : {-opening.half_width_m, 0.0, opening.half_width_m})
 		for (const double height : {opening.low_m, opening.high_m})
@@ -102,7 +102,7 @@ std::optional<TruthDoor> doorInView(const DoorLabel& label, const TruthView& vie
 	TruthDoor door;
 	door.normal_in_map = Eigen::Vector3d(label.normal_in_map.x(), label.normal_in_map.y(), 0.0).normalized();
 	if (door.normal_in_map.dot(view.cameraInMap() - label.floor_center_in_map) < 0.0) door.normal_in_map *= -1.0;
-	const Opening opening = openingOf(label, door.normal_in_map);
+	const DoorHole opening = openingOf(label, door.normal_in_map);
 	if (!before(opening, view)) return std::nullopt;
 
 	const std::string leaf = label.id + "_leaf";

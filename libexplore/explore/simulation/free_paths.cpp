@@ -1,15 +1,14 @@
+#include <explore/core/geometry.h>
 #include <explore/simulation/free_paths.h>
 #include <explore/simulation/robot_body.h>
 #include <explore/simulation/swept_body.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace explore::simulation
 {
 namespace
 {
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 }  // namespace
 
 TruthFreePaths freePaths(const RayScene& scene, const RobotConfig& robot, const mrpt::poses::CPose3D& map_from_robot)

@@ -13,7 +13,7 @@ namespace explore::simulation
 {
 namespace
 {
-constexpr double kSpare_m = 0.05, kBumps_m = 0.10, kFloorStep_m = 0.05;
+constexpr double kMargin_m = 0.05, kBumps_m = 0.10, kFloorStep_m = 0.05;
 
 using Allows = std::function<bool(const Eigen::Vector2d& point_in_map)>;
 
@@ -91,7 +91,7 @@ void Search::addFlightLevels()
 	const int last = static_cast<int>(std::floor((floor_m + m_robot.max_altitude_m) / cell_m - 0.5));
 	for (int level = first; level <= last; ++level)
 	{
-		const VerticalCylinder body = bodyWithMargin(m_robot, {0.0, 0.0, (level + 0.5) * cell_m}, kSpare_m);
+		const VerticalCylinder body = bodyWithMargin(m_robot, {0.0, 0.0, (level + 0.5) * cell_m}, kMargin_m);
 		m_bodies.push_back({body.base.z(), body.base.z() + body.height_m});
 		m_reach.levels.push_back({level * cell_m, (level + 1) * cell_m, {}});
 	}
@@ -122,7 +122,7 @@ void Search::blockBy(const Triangle& triangle)
 	const auto [low, high] = std::minmax({triangle[0].z(), triangle[1].z(), triangle[2].z()});
 	if (high < m_bodies.front().low_m || low > m_bodies.back().high_m) return;
 	const PlanTriangle plan(triangle);
-	const double radius_m = m_robot.radius_m + kSpare_m;
+	const double radius_m = m_robot.radius_m + kMargin_m;
 	forEachCellNear(triangle, radius_m,
 	                [&](std::size_t cell, const Eigen::Vector2d& middle)
 	                {

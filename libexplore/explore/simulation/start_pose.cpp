@@ -12,26 +12,26 @@ namespace explore::simulation
 {
 namespace
 {
-struct Place
+struct StartPlace
 {
 	Eigen::Vector3d position_in_map = Eigen::Vector3d::Zero();
 	double yaw_rad = 0;
 };
 
-Place placeOf(const Spawn& spawn)
+StartPlace placeOf(const Spawn& spawn)
 {
 	return {spawn.position_in_map, spawn.yaw_rad};
 }
 
 /** On the floor there: what is highest up to knee height. */
-Place onFloor(const World& world, double x, double y)
+StartPlace onFloor(const World& world, double x, double y)
 {
 	constexpr double kKnee_m = 0.25;
 	return {{x, y, surfaceBelow(world, {x, y, kKnee_m}).value_or(0.0)}, 0.0};
 }
 
 /** "x y yaw" or "x y z yaw"; no value for anything else. */
-std::optional<Place> placeIn(const World& world, const std::string& text)
+std::optional<StartPlace> placeIn(const World& world, const std::string& text)
 {
 	std::istringstream words(text);
 	std::vector<double> numbers;
@@ -42,13 +42,13 @@ std::optional<Place> placeIn(const World& world, const std::string& text)
 		numbers.push_back(*number);
 	}
 	if (numbers.size() != 3 && numbers.size() != 4) return std::nullopt;
-	Place place = onFloor(world, numbers[0], numbers[1]);
+	StartPlace place = onFloor(world, numbers[0], numbers[1]);
 	if (numbers.size() == 4) place.position_in_map.z() = numbers[2];
 	place.yaw_rad = numbers.back() * std::numbers::pi / 180.0;
 	return place;
 }
 
-Place firstThatSuits(const World& world, const RobotConfig& robot)
+StartPlace firstThatSuits(const World& world, const RobotConfig& robot)
 {
 	if (world.spawns.empty()) return onFloor(world, 0.0, 0.0);
 	const auto suits = [&robot](const Spawn& spawn)
@@ -57,7 +57,7 @@ Place firstThatSuits(const World& world, const RobotConfig& robot)
 	return placeOf(found != world.spawns.end() ? *found : world.spawns.front());
 }
 
-Place named(const World& world, const std::string& start)
+StartPlace named(const World& world, const std::string& start)
 {
 	std::string spawns;
 	for (const Spawn& spawn : world.spawns)
@@ -72,7 +72,7 @@ Place named(const World& world, const std::string& start)
 
 mrpt::poses::CPose3D startPose(const World& world, const std::string& start, const RobotConfig& robot)
 {
-	Place place;
+	StartPlace place;
 	if (start.empty())
 		place = firstThatSuits(world, robot);
 	else if (const auto given = placeIn(world, start))

@@ -44,7 +44,7 @@ bool inView(const TruthObstacle& obstacle, const TruthView& view)
 		{
 			const Eigen::Vector3d point = obstacle.center_in_map + side * obstacle.radius_m * across +
 			                              height * obstacle.height_m * Eigen::Vector3d::UnitZ();
-			if (view.sightOf(point, {}, obstacle.radius_m + 0.02) >= Sight::glass) return true;
+			if (view.sightOf(point, {}, obstacle.radius_m + 0.02) >= PointSight::glass) return true;
 		}
 	return false;
 }

@@ -41,11 +41,12 @@ const std::string& TruthView::nameOf(const RayHit& hit) const
 	return hit.moving >= 0 ? world.moving[static_cast<std::size_t>(hit.moving)].name : world.bodies[hit.body].name;
 }
 
-Sight TruthView::sightOf(const Eigen::Vector3d& point_in_map, const std::string& transparent, double margin_m) const
+PointSight TruthView::sightOf(const Eigen::Vector3d& point_in_map, const std::string& transparent,
+                              double margin_m) const
 {
 	// Steps past what lets the ray through; a ray that starts on a surface could meet it again.
 	constexpr double kStep_m = 1e-4;
-	if (!inImage(point_in_map)) return Sight::outside;
+	if (!inImage(point_in_map)) return PointSight::outside;
 	Eigen::Vector3d origin = cameraInMap();
 	const Eigen::Vector3d direction = (point_in_map - origin).normalized();
 	double left_m = (point_in_map - origin).norm() - margin_m;
@@ -55,11 +56,11 @@ Sight TruthView::sightOf(const Eigen::Vector3d& point_in_map, const std::string&
 		const auto hit = m_scene->cast(origin, direction, left_m);
 		if (!hit) break;
 		const bool pane = m_scene->world().materials[hit->material].surface == Surface::glass;
-		if (!pane && !belongsTo(nameOf(*hit), transparent)) return Sight::hidden;
+		if (!pane && !belongsTo(nameOf(*hit), transparent)) return PointSight::hidden;
 		through_glass = through_glass || pane;
 		origin += (hit->distance + kStep_m) * direction;
 		left_m -= hit->distance + kStep_m;
 	}
-	return through_glass ? Sight::glass : Sight::clear;
+	return through_glass ? PointSight::glass : PointSight::clear;
 }
 }  // namespace explore::simulation

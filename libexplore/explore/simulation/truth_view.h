@@ -9,7 +9,7 @@
 namespace explore::simulation
 {
 /** How a point looks to the camera. */
-enum class Sight
+enum class PointSight
 {
 	outside,  ///< out of the image
 	hidden,   ///< behind something
@@ -30,8 +30,8 @@ public:
 
 	/** Surfaces less than `margin_m` before the point do not hide it, nor does a body called `transparent` (see
 	 *  belongsTo); empty = every body hides. */
-	[[nodiscard]] Sight sightOf(const Eigen::Vector3d& point_in_map, const std::string& transparent = {},
-	                            double margin_m = 0.005) const;
+	[[nodiscard]] PointSight sightOf(const Eigen::Vector3d& point_in_map, const std::string& transparent = {},
+	                                 double margin_m = 0.005) const;
 
 private:
 	[[nodiscard]] const std::string& nameOf(const RayHit& hit) const;

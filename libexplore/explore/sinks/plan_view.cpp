@@ -71,12 +71,12 @@ void drawObstacles(Canvas& canvas, const Plan& plan, const Percepts& percepts)
 /** The stretches of a wall that obstacle points support, as bars along it. */
 void drawWall(Canvas& canvas, const Plan& plan, const Wall& wall, const PointCloud& obstacles)
 {
-	constexpr double kNear_m = 0.08, kBin_m = 0.1;
+	constexpr double kAtWall_m = 0.08, kBin_m = 0.1;
 	std::set<long> bins;
 	for (std::size_t i = 0; i < obstacles.size(); ++i)
 	{
 		const Eigen::Vector3d point = obstacles[i].cast<double>();
-		if (std::abs(wall.plane.signedDistance(point)) < kNear_m)
+		if (std::abs(wall.plane.signedDistance(point)) < kAtWall_m)
 			bins.insert(std::lround((point - wall.floor_line.point).dot(wall.floor_line.direction) / kBin_m));
 	}
 	const auto end = [&](double bin)

@@ -23,7 +23,7 @@ using mrpt::serialization::CSerializable;
 
 /** Room for the largest objects met in practice (some 100 MB), far below what a damaged count asks for. */
 constexpr std::uint64_t kObjectHeadroomBytes = std::uint64_t{1} << 30U;
-constexpr unsigned char kEndFlag = 0x88;
+constexpr unsigned char kObjectEnd = 0x88;
 constexpr std::size_t kLongestClassName = 120;
 
 void registerClasses()
@@ -66,7 +66,7 @@ std::size_t countEntries(std::string_view bytes, std::size_t end)
 	std::size_t count = 0;
 	for (std::size_t at = 0; at < end; ++at)
 	{
-		if (static_cast<unsigned char>(bytes[at]) != kEndFlag) continue;
+		if (static_cast<unsigned char>(bytes[at]) != kObjectEnd) continue;
 		const std::string name = classNameOfHeader(bytes.substr(at + 1, kLongestClassName + 1));
 		if (!name.empty() && isRawlogEntry(name)) ++count;
 	}

@@ -1,4 +1,5 @@
 // Doorways with something across them, and those behind which there is no floor.
+#include <explore/core/geometry.h>
 #include <explore/simulation/scenes/family_parts.h>
 #include <explore/simulation/scenes/scene_furniture.h>
 #include <explore/simulation/scenes/scene_rooms.h>
@@ -11,7 +12,7 @@ namespace explore::simulation
 {
 namespace
 {
-const ViewRange kUsual{{1.0, 4.9}, {0, 60}};
+const ViewRange kBlockedViews{{1.0, 4.9}, {0, 60}};
 const Eigen::Vector3f kCurtain(0.5F, 0.25F, 0.3F);
 
 DoorPlan blockedDoor(Sketch& sketch)
@@ -56,7 +57,7 @@ void counter(Sketch& sketch)
 	door.clear_width_m = door.width_m;
 	const bool panelled = random.chance(0.7);
 	const Span body = panelled ? behind.grown(-0.05) : around(behind.middle(), 0.04);
-	if (!lookAt(sketch, {{}, door.along()}, kUsual)) return;
+	if (!lookAt(sketch, {{}, door.along()}, kBlockedViews)) return;
 	sketch.block(door.id + "_counter", {}, door.along(), body, {0, top_m - 0.04}, sketch.paint());
 	sketch.block(door.id + "_counter", {}, door.along(), behind, {top_m - 0.04, top_m}, sketch.paint());
 	sketch.promise.visible_doors.push_back(door.id);
@@ -71,7 +72,7 @@ void highThreshold(Sketch& sketch)
 	DoorPlan door = blockedDoor(sketch);
 	door.leaf.kind = LeafKind::none;
 	door.sill_m = sketch.random.uniform(0.15, 0.25);
-	drawDoorway(sketch, door, kUsual);
+	drawDoorway(sketch, door, kBlockedViews);
 }
 
 void curtain(Sketch& sketch)
@@ -83,7 +84,7 @@ void curtain(Sketch& sketch)
 	const double fold_m = random.uniform(0.03, std::min(0.1, sketch.style.wall_thickness_m));
 	const int folds = random.integer(5, 12);
 	door.clear_width_m = 0.01;
-	if (!lookAt(sketch, {{}, door.along()}, kUsual)) return;
+	if (!lookAt(sketch, {{}, door.along()}, kBlockedViews)) return;
 	sketch.place(door.id + "_curtain", curtainMesh(door.width_m - 0.005, top_m - bottom_m, fold_m, folds),
 	             WallFrame{}.pose(0, 0.5 * sketch.style.wall_thickness_m, bottom_m),
 	             sketch.material("curtain", kCurtain));
@@ -102,7 +103,7 @@ void stairwell(Sketch& sketch)
 	drawDoorway(sketch, door, {{1.0, 3.0}, {0, 45}});
 }
 
-const std::array kFamilies = {
+const std::array kBlockedFamilies = {
     SceneFamily{"person_in_doorway", "somebody stands in the doorway", personInDoorway, Negative::yes},
     SceneFamily{"counter", "a counter 0.85-1.1 m high across the doorway", counter, Negative::for_ground},
     SceneFamily{"threshold_high", "a threshold of 15-25 cm", highThreshold, Negative::for_ground},
@@ -113,6 +114,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> blockedFamilies()
 {
-	return kFamilies;
+	return kBlockedFamilies;
 }
 }  // namespace explore::simulation

@@ -57,7 +57,7 @@ void roomWithoutDoors(Sketch& sketch)
 	buildRoom(sketch, std::move(room));
 }
 
-const std::array kFamilies = {
+const std::array kCorridorFamilies = {
     SceneFamily{"corridor_side_doors", "a corridor with open doors 0.7-1.3 m wide in its side walls", sideDoors},
     SceneFamily{"corridor_end", "a corridor that opens into a hall", corridorEnd},
     SceneFamily{"corridor_no_doors", "a corridor without doors", corridorWithoutDoors, Negative::yes},
@@ -67,6 +67,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> corridorFamilies()
 {
-	return kFamilies;
+	return kCorridorFamilies;
 }
 }  // namespace explore::simulation

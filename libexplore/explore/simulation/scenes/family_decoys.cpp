@@ -11,7 +11,7 @@ namespace explore::simulation
 {
 namespace
 {
-const ViewRange kUsual{{1.2, 4.8}, {0, 60}};
+const ViewRange kDecoyViews{{1.2, 4.8}, {0, 60}};
 
 /** A room around the viewpoint whose front has nothing but those holes, and the subject in view. */
 void finish(Sketch& sketch, const Subject& subject, const Span& z, FrontPlan front = {})
@@ -49,7 +49,7 @@ void cabinetBeforeWall(Sketch& sketch)
 		const double beside_m = 0.5 * (piece.size_m.x() + other.size_m.x()) + random.uniform(0.15, 1.2);
 		standBeforeWall(sketch, other, {random.sign() * beside_m, random.uniform(0.05, 0.8), 0});
 	}
-	if (lookAt(sketch, subject, kUsual)) finish(sketch, subject, {0.1, piece.size_m.z()});
+	if (lookAt(sketch, subject, kDecoyViews)) finish(sketch, subject, {0.1, piece.size_m.z()});
 }
 
 void personBeforeWall(Sketch& sketch)
@@ -58,7 +58,7 @@ void personBeforeWall(Sketch& sketch)
 	const Piece person = drawPiece(random, "pedestrian");
 	const Subject subject = standBeforeWall(
 	    sketch, person, {0, random.uniform(0.2, 1.4), random.uniform(-std::numbers::pi, std::numbers::pi)});
-	if (lookAt(sketch, subject, kUsual)) finish(sketch, subject, {0.2, 1.5}, {});
+	if (lookAt(sketch, subject, kDecoyViews)) finish(sketch, subject, {0.2, 1.5}, {});
 }
 
 void wardrobeGap(Sketch& sketch)
@@ -93,7 +93,7 @@ void pillarRow(Sketch& sketch)
 	const Subject subject{{{0, -from_wall_m - pillar.size_m.y() - 0.02}, 0}, around(middle_m, gap_m)};
 	FrontPlan front;
 	front.extent = around(0, step_m * count + 0.5);
-	if (lookAt(sketch, subject, kUsual)) finish(sketch, subject, {0.1, 1.6}, front);
+	if (lookAt(sketch, subject, kDecoyViews)) finish(sketch, subject, {0.1, 1.6}, front);
 }
 
 void underTable(Sketch& sketch)
@@ -103,7 +103,7 @@ void underTable(Sketch& sketch)
 	table.size_m.x() = random.uniform(0.85, 1.7);
 	const double gap_m = random.chance(0.5) ? 0.03 : random.uniform(0.3, 1.2);
 	const Subject subject = standBeforeWall(sketch, table, {0, gap_m, random.uniform(-0.1, 0.1)});
-	if (lookAt(sketch, subject, kUsual)) finish(sketch, subject, {0.1, table.size_m.z()});
+	if (lookAt(sketch, subject, kDecoyViews)) finish(sketch, subject, {0.1, table.size_m.z()});
 }
 
 /** A back and two sides around a niche that is deeper than the wall. */
@@ -113,7 +113,7 @@ void alcove(Sketch& sketch)
 	const DoorPlan size = drawDoor(sketch);
 	const double depth_m = random.uniform(0.3, 0.6), thickness_m = sketch.style.wall_thickness_m;
 	const Subject subject{{}, size.along()};
-	if (!lookAt(sketch, subject, kUsual)) return;
+	if (!lookAt(sketch, subject, kDecoyViews)) return;
 	const double top_m = random.chance(0.25) ? sketch.style.wall_height_m : *size.top_m;
 	const std::size_t plaster = sketch.material("plaster");
 	const Span behind{0.5 * thickness_m, depth_m}, along = subject.along;
@@ -154,7 +154,7 @@ void window(Sketch& sketch)
 {
 	Random& random = sketch.random;
 	const Subject subject{{}, around(0, random.uniform(0.7, 1.6))};
-	if (!lookAt(sketch, subject, kUsual)) return;
+	if (!lookAt(sketch, subject, kDecoyViews)) return;
 	const Span z{random.uniform(0.6, 1.0), random.uniform(1.8, 2.2)};
 	const double middle_m = 0.5 * sketch.style.wall_thickness_m;
 	const Span behind = around(middle_m, 0.05);
@@ -176,7 +176,7 @@ void window(Sketch& sketch)
 	finish(sketch, subject, z, front);
 }
 
-const std::array kFamilies = {
+const std::array kDecoyFamilies = {
     SceneFamily{"window", "a window with a sill of 0.6-1.0 m", window, Negative::yes},
     SceneFamily{"alcove", "a niche 0.3-0.6 m deep", alcove, Negative::yes},
     SceneFamily{"cabinet_before_wall", "cabinets that shade a plain wall", cabinetBeforeWall, Negative::yes},
@@ -189,6 +189,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> decoyFamilies()
 {
-	return kFamilies;
+	return kDecoyFamilies;
 }
 }  // namespace explore::simulation

@@ -9,7 +9,7 @@ namespace explore::simulation
 {
 namespace
 {
-const ViewRange kUsual{{1.0, 4.9}, {0, 60}};
+const ViewRange kDoorViews{{1.0, 4.9}, {0, 60}};
 
 void frontal(Sketch& sketch)
 {
@@ -28,7 +28,7 @@ void farAway(Sketch& sketch)
 
 void narrow(Sketch& sketch)
 {
-	drawDoorway(sketch, drawDoor(sketch, {0.70, 0.85}), kUsual);
+	drawDoorway(sketch, drawDoor(sketch, {0.70, 0.85}), kDoorViews);
 }
 
 /** One jamb is the room's corner, or nearly so. */
@@ -70,7 +70,7 @@ void lowThreshold(Sketch& sketch)
 {
 	DoorPlan door = drawDoor(sketch);
 	door.sill_m = sketch.random.uniform(0.02, 0.04);
-	drawDoorway(sketch, door, kUsual);
+	drawDoorway(sketch, door, kDoorViews);
 }
 
 void withoutLintel(Sketch& sketch)
@@ -102,7 +102,7 @@ void splitWall(Sketch& sketch)
 	const double first_side = random.sign();
 	if (kind == 0) front.step_m = first_side * random.uniform(0.02, 0.08);
 	front.extent = door.along().grown(kind == 0 ? 0.3 : 1.2);
-	if (!lookAt(sketch, {WallFrame{}, door.along()}, kUsual)) return;
+	if (!lookAt(sketch, {WallFrame{}, door.along()}, kDoorViews)) return;
 	for (const double side : {-1.0, 1.0})
 	{
 		const double from_m = side > 0 ? door.along().high : door.along().low;
@@ -182,7 +182,7 @@ void twoDoors(Sketch& sketch)
 	if (lookAt(sketch, subject, {{1.5, 4.6}, {0, 70}})) buildFront(sketch, std::move(front));
 }
 
-const std::array kFamilies = {
+const std::array kDoorFamilies = {
     SceneFamily{"frontal_door", "one open door, seen from 0-15 degrees off its wall's normal", frontal},
     SceneFamily{"oblique_door", "one open door, seen from 45-75 degrees off its wall's normal", oblique},
     SceneFamily{"two_doors", "two open doors in one wall", twoDoors},
@@ -202,6 +202,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> doorFamilies()
 {
-	return kFamilies;
+	return kDoorFamilies;
 }
 }  // namespace explore::simulation

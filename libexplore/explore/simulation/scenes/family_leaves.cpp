@@ -57,7 +57,7 @@ void recessed(Sketch& sketch)
 	drawDoorway(sketch, door, {{1.0, 4.9}, {0, 60}});
 }
 
-const std::array kFamilies = {
+const std::array kLeafFamilies = {
     SceneFamily{"ajar_30", "a leaf opened by 20-40 degrees", ajar30},
     SceneFamily{"ajar_60", "a leaf opened by 50-70 degrees", ajar60},
     SceneFamily{"leaf_toward_us", "a leaf opened by 80-105 degrees to the robot's side", leafTowardUs},
@@ -67,6 +67,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> leafFamilies()
 {
-	return kFamilies;
+	return kLeafFamilies;
 }
 }  // namespace explore::simulation

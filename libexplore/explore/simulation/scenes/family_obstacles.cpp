@@ -115,7 +115,7 @@ void stool(Sketch& sketch)
 	drawObstacle(sketch, "stool");
 }
 
-const std::array kFamilies = {
+const std::array kObstacleFamilies = {
     SceneFamily{"obstacle_pedestrian", "somebody in the way, in a corridor, an office or a conference room",
                 pedestrian},
     SceneFamily{"obstacle_box", "a box in the way", box},
@@ -128,6 +128,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> obstacleFamilies()
 {
-	return kFamilies;
+	return kObstacleFamilies;
 }
 }  // namespace explore::simulation

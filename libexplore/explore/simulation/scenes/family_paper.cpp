@@ -42,7 +42,7 @@ void multipleWallsMultipleDoors(Sketch& sketch)
 	sketch.promise.walls_with_visible_doors = 2;
 }
 
-const std::array kFamilies = {
+const std::array kPaperFamilies = {
     SceneFamily{"single_wall_single_door", "the paper's first configuration: one door, 0-75 degrees off its normal",
                 singleWallSingleDoor, Negative::no, false, "single_wall_single_door"},
     SceneFamily{"single_wall_multiple_doors", "the paper's second configuration: two or three doors in one wall",
@@ -55,6 +55,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> paperFamilies()
 {
-	return kFamilies;
+	return kPaperFamilies;
 }
 }  // namespace explore::simulation

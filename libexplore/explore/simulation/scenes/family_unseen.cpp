@@ -8,7 +8,7 @@ namespace explore::simulation
 {
 namespace
 {
-const ViewRange kUsual{{1.0, 4.7}, {0, 60}};
+const ViewRange kUnseenViews{{1.0, 4.7}, {0, 60}};
 const Eigen::Vector3f kBlack(0.05F, 0.05F, 0.05F), kPane(0.7F, 0.8F, 0.85F), kSteel(0.5F, 0.52F, 0.55F);
 
 /** Bars of that width around a sheet and sometimes one across it. */
@@ -33,7 +33,7 @@ void glassDoor(Sketch& sketch)
 	door.leaf.kind = LeafKind::none;
 	door.clear_width_m = 0.01;
 	const double behind_m = random.uniform(0.02, sketch.style.wall_thickness_m - 0.03);
-	if (!lookAt(sketch, {{}, door.along()}, kUsual)) return;
+	if (!lookAt(sketch, {{}, door.along()}, kUnseenViews)) return;
 	const Span z{0.005, *door.top_m};
 	sketch.block(door.id + "_pane", {}, door.along(), {behind_m, behind_m + 0.01}, z, sketch.material("glass", kPane));
 	const Span frame = around(behind_m + 0.005, 0.04);
@@ -55,7 +55,7 @@ void sheetOnWall(Sketch& sketch, const char* material, const Eigen::Vector3f& co
 	door.hole = false;
 	const double bottom_m = random.chance(0.6) ? 0.0 : random.uniform(0.02, 0.15);
 	const Span z{bottom_m, *door.top_m}, behind{-random.uniform(0.003, 0.015), 0};
-	if (!lookAt(sketch, {{}, door.along()}, kUsual)) return;
+	if (!lookAt(sketch, {{}, door.along()}, kUnseenViews)) return;
 	sketch.block(door.id + "_sheet", {}, door.along(), behind, z, sketch.material(material, color));
 	if (random.chance(framed)) frameSheet(sketch, door.id + "_frame", door.along(), behind.grown(0.01), z);
 	sketch.promise.visible_doors.push_back(door.id);
@@ -80,10 +80,10 @@ void darkRoom(Sketch& sketch)
 	door.verdict = Verdict::unknown;
 	door.beyond = Beyond::dark;
 	door.leaf.kind = LeafKind::none;
-	drawDoorway(sketch, door, kUsual);
+	drawDoorway(sketch, door, kUnseenViews);
 }
 
-const std::array kFamilies = {
+const std::array kUnseenFamilies = {
     SceneFamily{"glass_door", "a shut door of glass, with or without a frame", glassDoor, Negative::yes, true},
     SceneFamily{"mirror", "a mirror of a door's size on a plain wall", mirror, Negative::yes, true},
     SceneFamily{"black_patch", "a black patch of a door's size on a plain wall", blackPatch, Negative::yes, true},
@@ -93,6 +93,6 @@ const std::array kFamilies = {
 
 std::span<const SceneFamily> unseenFamilies()
 {
-	return kFamilies;
+	return kUnseenFamilies;
 }
 }  // namespace explore::simulation

@@ -1,5 +1,7 @@
 #include "scene_corridor.h"
 
+#include <explore/core/geometry.h>
+
 #include <algorithm>
 #include <cmath>
 

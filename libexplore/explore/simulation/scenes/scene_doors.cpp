@@ -1,5 +1,6 @@
 #include "scene_doors.h"
 
+#include <explore/core/geometry.h>
 #include <explore/simulation/shapes.h>
 
 #include <algorithm>

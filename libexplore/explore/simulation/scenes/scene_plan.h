@@ -3,13 +3,10 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <numbers>
 #include <vector>
 
 namespace explore::simulation
 {
-constexpr double kDegree_rad = std::numbers::pi / 180;
-
 struct Span
 {
 	double low = 0, high = 0;

@@ -23,7 +23,7 @@ double shareInView(const Region& region, const TruthView& view, const Eigen::Iso
 			const double z_m = region.z.low + region.z.length() * (row + 0.5) / kPoints;
 			const Eigen::Vector2d place = region.frame.at(along_m, region.behind_m);
 			const Eigen::Vector3d point(place.x(), place.y(), z_m);
-			seen += view.sightOf(map_from_building * point) == Sight::clear ? 1 : 0;
+			seen += view.sightOf(map_from_building * point) == PointSight::clear ? 1 : 0;
 		}
 	return static_cast<double>(seen) / (kPoints * kPoints);
 }

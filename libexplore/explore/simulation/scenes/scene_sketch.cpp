@@ -1,5 +1,6 @@
 #include "scene_sketch.h"
 
+#include <explore/core/geometry.h>
 #include <explore/simulation/recorder.h>
 #include <explore/simulation/shapes.h>
 

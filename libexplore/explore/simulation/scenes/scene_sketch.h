@@ -2,6 +2,7 @@
 #pragma once
 
 #include <explore/core/depth_frame.h>
+#include <explore/core/geometry.h>
 #include <explore/core/robot.h>
 #include <explore/simulation/random.h>
 #include <explore/simulation/scenes/scene_plan.h>

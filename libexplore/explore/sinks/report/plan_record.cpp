@@ -9,7 +9,7 @@ namespace explore
 {
 namespace
 {
-Json doorJson(const DoorTrack& track)
+Json doorMark(const DoorTrack& track)
 {
 	const DoorPlace& place = track.place;
 	return {shortNumber(place.center_in_map.x(), 2),
@@ -21,7 +21,7 @@ Json doorJson(const DoorTrack& track)
 	        track.visited};
 }
 
-Json corridorJson(const CorridorTrack& track)
+Json corridorMark(const CorridorTrack& track)
 {
 	const Eigen::Vector2d from = track.at(track.from_m), to = track.at(track.to_m);
 	return {shortNumber(from.x(), 2), shortNumber(from.y(), 2), shortNumber(to.x(), 2), shortNumber(to.y(), 2),
@@ -75,7 +75,7 @@ void applyMarks(const Json& changed, const Json& gone, std::map<int, Json>& mark
 
 PlanSnapshot planSnapshotOf(const FrontierMemory& memory)
 {
-	return {planGridOf(memory), marksOf(memory.doors.tracks, doorJson), marksOf(memory.corridors.tracks, corridorJson),
+	return {planGridOf(memory), marksOf(memory.doors.tracks, doorMark), marksOf(memory.corridors.tracks, corridorMark),
 	        knownFreeArea(memory), std::nullopt};
 }
 

@@ -11,7 +11,7 @@ namespace explore
 {
 namespace
 {
-using Json = nlohmann::json;
+using Parsed = nlohmann::json;
 using mrpt::obs::CObservation2DRangeScan;
 using mrpt::poses::CPose3D;
 using Time = mrpt::Clock::time_point;
@@ -26,7 +26,7 @@ void require(bool condition)
 	if (!condition) throw Malformed();
 }
 
-double number(const Json& value, double most)
+double number(const Parsed& value, double most)
 {
 	require(value.is_number());
 	const auto result = value.get<double>();
@@ -34,14 +34,14 @@ double number(const Json& value, double most)
 	return result;
 }
 
-bool truth(const Json& value)
+bool truth(const Parsed& value)
 {
 	require(value.is_boolean());
 	return value.get<bool>();
 }
 
 /** The object's `key`, which has to be there. */
-const Json& at(const Json& object, const char* key)
+const Parsed& at(const Parsed& object, const char* key)
 {
 	require(object.is_object());
 	const auto found = object.find(key);
@@ -49,19 +49,19 @@ const Json& at(const Json& object, const char* key)
 	return *found;
 }
 
-double numberOr(const Json& object, const char* key, double otherwise, double most)
+double numberOr(const Parsed& object, const char* key, double otherwise, double most)
 {
 	return object.contains(key) ? number(object[key], most) : otherwise;
 }
 
 /** Names that nobody reads are mistakes of writing. */
-void requireOnly(const Json& object, const std::vector<std::string>& names)
+void requireOnly(const Parsed& object, const std::vector<std::string>& names)
 {
 	require(object.is_object());
 	for (const auto& [name, value] : object.items()) require(std::ranges::find(names, name) != names.end());
 }
 
-Time timeOf(const Json& object, Time received)
+Time timeOf(const Parsed& object, Time received)
 {
 	constexpr double kLatest_s = 4e9;  // a century from the epoch
 	const auto found = object.find("t");
@@ -73,7 +73,7 @@ Time timeOf(const Json& object, Time received)
 
 constexpr double kFarthest_m = 1e6, kAngle_rad = 100.0;
 
-CPose3D pose(const Json& object)
+CPose3D pose(const Parsed& object)
 {
 	requireOnly(object, {"t", "x", "y", "z", "yaw", "pitch", "roll"});
 	return {number(at(object, "x"), kFarthest_m),       number(at(object, "y"), kFarthest_m),
@@ -81,16 +81,16 @@ CPose3D pose(const Json& object)
 	        numberOr(object, "pitch", 0.0, kAngle_rad), numberOr(object, "roll", 0.0, kAngle_rad)};
 }
 
-Eigen::Vector3d acceleration(const Json& object)
+Eigen::Vector3d acceleration(const Parsed& object)
 {
 	constexpr double kStrongest_mps2 = 1000.0;
 	requireOnly(object, {"t", "acceleration"});
-	const Json& values = at(object, "acceleration");
+	const Parsed& values = at(object, "acceleration");
 	require(values.is_array() && values.size() == 3);
 	return {number(values[0], kStrongest_mps2), number(values[1], kStrongest_mps2), number(values[2], kStrongest_mps2)};
 }
 
-CPose3D sensorPose(const Json& values)
+CPose3D sensorPose(const Parsed& values)
 {
 	constexpr double kReach_m = 100.0;
 	require(values.is_array() && values.size() == 6);
@@ -98,7 +98,7 @@ CPose3D sensorPose(const Json& values)
 	        number(values[3], kAngle_rad), number(values[4], kAngle_rad), number(values[5], kAngle_rad)};
 }
 
-CObservation2DRangeScan scan(const Json& object)
+CObservation2DRangeScan scan(const Parsed& object)
 {
 	constexpr std::size_t kMost = 10'000;
 	constexpr double kRange_m = 1e4;
@@ -110,7 +110,7 @@ CObservation2DRangeScan scan(const Json& object)
 	result.rightToLeft = true;
 	if (object.contains("pose")) result.sensorPose = sensorPose(object["pose"]);
 
-	const Json& ranges = at(object, "ranges");
+	const Parsed& ranges = at(object, "ranges");
 	require(ranges.is_array() && ranges.size() >= 2 && ranges.size() <= kMost);
 	result.resizeScan(ranges.size());
 	for (std::size_t i = 0; i < ranges.size(); ++i)
@@ -122,7 +122,7 @@ CObservation2DRangeScan scan(const Json& object)
 	return result;
 }
 
-RobotMessage message(const Json& object, Time received)
+RobotMessage message(const Parsed& object, Time received)
 {
 	requireOnly(object, {"pose", "imu", "bumper", "cliff", "scan"});
 	require(!object.empty());
@@ -137,13 +137,13 @@ RobotMessage message(const Json& object, Time received)
 	take("pose", result.map_from_robot, pose);
 	take("imu", result.acceleration_mps2, acceleration);
 	take("bumper", result.bumper_pressed,
-	     [](const Json& bumper)
+	     [](const Parsed& bumper)
 	     {
 		     requireOnly(bumper, {"t", "pressed"});
 		     return truth(at(bumper, "pressed"));
 	     });
 	take("cliff", result.cliff_seen,
-	     [](const Json& cliff)
+	     [](const Parsed& cliff)
 	     {
 		     requireOnly(cliff, {"t", "seen"});
 		     return truth(at(cliff, "seen"));
@@ -156,7 +156,7 @@ RobotMessage message(const Json& object, Time received)
 
 std::optional<RobotMessage> parseRobotMessage(std::string_view text, Time received)
 {
-	const Json object = Json::parse(text, nullptr, false);
+	const Parsed object = Parsed::parse(text, nullptr, false);
 	if (object.is_discarded()) return std::nullopt;
 	try
 	{
