@@ -87,11 +87,12 @@ TEST(CoarseMap, ASquareIsBlockedWhereTheRobotWasStoppedInAllOfIt)
 	const CellIndex stopped = map.cellOf({1.0, 1.0, 0});
 	ASSERT_NE(map.passable[stopped], 0);
 	constexpr int kFactor = 2;
-	const CellIndex square = squareOf(map, coarsened(map, kFactor), stopped, kFactor);
+	const auto coarse = coarsened(map, kFactor);
+	const CellIndex square = squareOf(map, coarse, stopped, kFactor);
 	map.blocked[stopped] = 1;
 	EXPECT_EQ(coarsened(map, kFactor).blocked[square], 0);
 	for (CellIndex cell = 0; cell < map.cells.size(); ++cell)
-		if (squareOf(map, coarsened(map, kFactor), cell, kFactor) == square) map.blocked[cell] = 1;
+		if (squareOf(map, coarse, cell, kFactor) == square) map.blocked[cell] = 1;
 	EXPECT_EQ(coarsened(map, kFactor).blocked[square], 1);
 	EXPECT_EQ(squareOf(map, coarsened(map, kFactor), kNoCell, kFactor), kNoCell);
 }
