@@ -28,6 +28,8 @@ constexpr double kArrive_rad = 0.14;
 constexpr double kPatience = 4.0, kPatience_s = 30.0;
 /** On the way home that while is longer: there is nothing else to do than to wait until the way is free. */
 constexpr double kPatienceHome_s = 120.0;
+/** Without a frame for longer the robot is told to stand, and no goal is blamed for the time that this lasts. */
+constexpr double kSilence_s = 1.0;
 /** Between the places of the trail. */
 constexpr double kTrail_m = 0.1;
 
@@ -205,7 +207,9 @@ void count(Mission& mission, const MissionNow& now)
 		mission.started_at_s = now.t_s;
 	}
 	if (mission.robot_in_map) mission.path_m += (at - *mission.robot_in_map).norm();
+	if (mission.goal) mission.goal->chosen_at_s += std::max(0.0, now.t_s - mission.last_at_s - kSilence_s);
 	mission.robot_in_map = at;
+	mission.last_at_s = now.t_s;
 	if (mission.trail_in_map.empty() || (at - mission.trail_in_map.back()).norm() >= kTrail_m)
 	{
 		mission.trail_in_map.push_back(at);

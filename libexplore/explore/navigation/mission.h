@@ -77,6 +77,7 @@ struct Mission
 	std::optional<Eigen::Isometry3d> map_from_home;  ///< where the robot was in the first frame
 	double started_at_s = 0, planned_at_s = 0;
 	std::optional<Eigen::Vector3d> robot_in_map;  ///< in the last frame
+	double last_at_s = 0;                         ///< when that was
 	double path_m = 0;
 	std::vector<Eigen::Vector3d> trail_in_map;  ///< where the robot has been
 	bool home_reached = false;
