@@ -25,7 +25,7 @@ foreach(program ${programs})
   install(FILES ${folder}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${doc_folder}/explore-mrpt)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${doc_folder}/explore-mrpt PATTERN "examples" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${doc_folder}/explore-mrpt)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/examples/ DESTINATION ${doc_folder}/libexplore-mrpt-dev/examples COMPONENT dev
   USE_SOURCE_PERMISSIONS)
 
