@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kSilence = 1s;
 constexpr auto kGlance = 50ms;
-constexpr auto kFirstWait = 250ms, kLongestWait = 2000ms;
+constexpr auto kFirstWait = 250ms, kLongestWait = 1000ms;
 
 /** Hears of cameras that come and go; OpenNI2 calls it from threads of its own. */
 class PlugEvents : public openni::OpenNI::DeviceConnectedListener, public openni::OpenNI::DeviceDisconnectedListener
