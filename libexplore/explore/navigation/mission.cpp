@@ -136,6 +136,7 @@ void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
 MissionEnd budgetSpent(const Mission& mission, const MissionPlan& plan, const MissionNow& now, const RobotConfig& robot,
                        const MissionConfig& config)
 {
+	if (mission.end == MissionEnd::time_budget || mission.end == MissionEnd::path_budget) return mission.end;
 	const double needed_m = pathHome(plan) * (1.0 + config.budget.reserve);
 	const double needed_s = 2.0 * needed_m / robot.max_speed_mps;
 	if (config.budget.time_s > 0.0 && now.t_s - mission.started_at_s + needed_s >= config.budget.time_s)
@@ -149,11 +150,6 @@ void goHome(Mission& mission, MissionEnd why, const MissionPlan& plan, const Mis
 	mission.phase = MissionPhase::go_home;
 	mission.end = why;
 	mission.goal = goalHome(mission, plan, now, robot);
-}
-
-bool overBudget(const Mission& mission)
-{
-	return mission.end == MissionEnd::time_budget || mission.end == MissionEnd::path_budget;
 }
 
 /** Why what is still worth a look was left. */
@@ -179,7 +175,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 		mission.goal_lost = true;
 	}
 
-	const MissionEnd spent = overBudget(mission) ? mission.end : budgetSpent(mission, plan, now, robot, config);
+	const MissionEnd spent = budgetSpent(mission, plan, now, robot, config);
 	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
 	if (spent != MissionEnd::none)
 		goHome(mission, spent, plan, now, robot);
