@@ -9,7 +9,7 @@ if(CLANG_FORMAT_PROGRAM)
 endif()
 
 # clang-tidy reads compile_commands.json: what is not configured (a missing package) is not checked. It spends its time on the
-# headers, so it is run over batches of sources where the build has them (the preset tidy does), six times as fast.
+# headers, so it is run over batches of sources where the build has them (the preset tidy does), several times as fast.
 find_program(RUN_CLANG_TIDY_PROGRAM NAMES run-clang-tidy run-clang-tidy-14)
 find_program(CLANG_TIDY_PROGRAM clang-tidy)
 if(RUN_CLANG_TIDY_PROGRAM AND CLANG_TIDY_PROGRAM)

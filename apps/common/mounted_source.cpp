@@ -1,6 +1,7 @@
 #include <common/interrupt.h>
 #include <common/mounted_source.h>
 #include <explore/perception/mount.h>
+#include <mrpt/core/bits_math.h>
 
 #include <cmath>
 #include <numbers>
@@ -11,11 +12,6 @@ namespace explore::app
 namespace
 {
 constexpr std::size_t kFramesToLookAt = 10;
-
-double degrees(double rad)
-{
-	return rad * 180.0 / std::numbers::pi;
-}
 
 /** The recorded yaw; 0 where a rotation far from level leaves it without meaning (as of an optical frame). */
 double yawOf(const mrpt::poses::CPose3D& robot_from_camera)
@@ -96,7 +92,7 @@ void MountedSource::estimate(const std::vector<DepthFrame>& frames)
 	m_logger.logFmt(
 	    mrpt::system::LVL_INFO,
 	    "camera mount from the floor in %zu of %zu frames: %.2f m high, pitch %+.1f deg (down), roll %+.1f deg",
-	    found->frames, frames.size(), found->height_m, degrees(found->pitch_rad), degrees(found->roll_rad));
+	    found->frames, frames.size(), found->height_m, mrpt::RAD2DEG(found->pitch_rad), mrpt::RAD2DEG(found->roll_rad));
 }
 
 }  // namespace explore::app

@@ -1,9 +1,9 @@
 #include <explore-rawlog/world_info.h>
+#include <mrpt/core/bits_math.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <map>
-#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -31,7 +31,7 @@ std::string nameOf(Surface surface)
 
 double degreesOf(double angle_rad)
 {
-	return angle_rad * 180.0 / std::numbers::pi + 0.0;
+	return mrpt::RAD2DEG(angle_rad) + 0.0;
 }
 
 void writePlace(std::ostream& out, const Eigen::Vector3d& place)

@@ -1,10 +1,10 @@
 #include <explore/evaluation/cause_geometry.h>
 #include <explore/evaluation/csv.h>
 #include <explore/evaluation/frame_score.h>
+#include <mrpt/core/bits_math.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace explore::evaluation
 {
@@ -70,7 +70,7 @@ void addTruth(CsvRow& row, const TruthDoor& door, const Eigen::Vector2d& camera)
 	    .text(nameOf(door.visibility))
 	    .number(door.visible_share)
 	    .number(toward.norm())
-	    .number(offset_rad * 180.0 / std::numbers::pi);
+	    .number(mrpt::RAD2DEG(offset_rad));
 }
 
 void addReport(CsvRow& row, const Report& report)

@@ -1,15 +1,15 @@
+#include <explore/core/geometry.h>
 #include <explore/core/matching.h>
 #include <explore/evaluation/frame_score.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace explore::evaluation
 {
 namespace
 {
-constexpr double kCloseDirection_rad = 2.0 * std::numbers::pi / 180.0;
+constexpr double kCloseDirection_rad = 2.0 * kDegree_rad;
 
 DoorCounts countsOf(const std::vector<DoorPair>& pairs)
 {

@@ -12,13 +12,6 @@ struct Interval
 	int first, last;
 };
 
-/** The last whole number that is not above; the bounds keep the conversion defined and fast. */
-int floorOf(float pixel)
-{
-	return static_cast<int>(std::clamp(pixel, -kFarOutside_px, kFarOutside_px) + kFarOutside_px) -
-	       static_cast<int>(kFarOutside_px);
-}
-
 /** Columns (axis 1) or rows (axis 2) with centres in the view of a cube; `per_nearest`, `per_farthest` are 1 / depth.
  */
 Interval pixelsAlong(const FrameRays& rays, const CubeView& cube, int axis, float per_nearest, float per_farthest)
@@ -27,7 +20,7 @@ Interval pixelsAlong(const FrameRays& rays, const CubeView& cube, int axis, floa
 	const float scale = rays.px_per_tangent[axis - 1], at_axis = rays.axis_px[axis - 1];
 	const float a = at_axis + scale * low * (low < 0.0F ? per_nearest : per_farthest);
 	const float b = at_axis + scale * high * (high > 0.0F ? per_nearest : per_farthest);
-	return {floorOf(std::min(a, b) - kRounding_px) + 1, floorOf(std::max(a, b) + kRounding_px)};
+	return {pixelBelow(std::min(a, b) - kRounding_px) + 1, pixelBelow(std::max(a, b) + kRounding_px)};
 }
 }  // namespace
 

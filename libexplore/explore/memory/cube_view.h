@@ -10,6 +10,14 @@ constexpr float kInFront_m = 1e-6F;        ///< where a cube reaches behind the 
 constexpr float kFarOutside_px = 1 << 14;  ///< larger than any image; floats hold pixels beyond it to 1/500
 constexpr float kRounding_px = 0.01F;
 
+/** The last whole pixel not above; the bounds keep the conversion defined. Plain comparisons, which loops vectorise. */
+[[gnu::always_inline]] inline int pixelBelow(float pixel)
+{
+	const float low = pixel < kFarOutside_px ? pixel : kFarOutside_px;
+	const float bounded = low < -kFarOutside_px ? -kFarOutside_px : low;
+	return static_cast<int>(bounded + kFarOutside_px) - static_cast<int>(kFarOutside_px);
+}
+
 /** The box in camera axes that holds the cube [m]. */
 struct CubeView
 {

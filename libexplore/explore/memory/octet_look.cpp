@@ -28,13 +28,6 @@ constexpr Octet<unsigned> kBit{1, 2, 4, 8, 16, 32, 64, 128};
 	return a < b ? a : b;
 }
 
-/** The last whole number not above; the bounds keep the conversion defined. */
-[[gnu::always_inline]] inline int pixelBelow(float pixel)
-{
-	return static_cast<int>(larger(smaller(pixel, kFarOutside_px), -kFarOutside_px) + kFarOutside_px) -
-	       static_cast<int>(kFarOutside_px);
-}
-
 /** One axis of the image: pixel = at_axis + scale · tangent, `last` is the image's last pixel. */
 struct ImageAxis
 {

@@ -1,3 +1,4 @@
+#include <explore/core/geometry.h>
 #include <explore/navigation/mrpt_avoiders.h>
 #include <mrpt/nav/holonomic/CHolonomicFullEval.h>
 #include <mrpt/nav/holonomic/CHolonomicND.h>
@@ -55,7 +56,7 @@ CAbstractHolonomicReactiveMethod::Ptr makeMethod(const AvoiderConfig& config)
 DirectionFan fullTurn(const AvoiderInput& input, const AvoiderConfig& config)
 {
 	// CHolonomicFullEval looks from every direction at every other.
-	constexpr double kFinest_rad = 2.0 * std::numbers::pi / 180.0;
+	constexpr double kFinest_rad = 2.0 * kDegree_rad;
 	const double pi = std::numbers::pi;
 	const auto count = 2 * static_cast<std::size_t>(pi / std::max(config.resolution_rad, kFinest_rad)) + 1;
 	const double step = 2.0 * pi / static_cast<double>(count);

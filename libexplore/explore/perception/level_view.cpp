@@ -1,14 +1,14 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/level_view.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace explore
 {
 namespace
 {
-constexpr double kPaperTilt = 15 * std::numbers::pi / 180.0;
+constexpr double kPaperTilt = 15 * kDegree_rad;
 constexpr double kFlightMargin_m = 0.35;  // cameras sit above or below the body's centre, and MAVs overshoot
 
 struct Mount

@@ -1,5 +1,7 @@
+#include <explore/core/geometry.h>
 #include <explore/perception/mount.h>
 #include <explore/perception/perceive.h>
+#include <mrpt/core/bits_math.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +14,8 @@ namespace explore
 namespace
 {
 constexpr double kWidestTilt_rad = std::numbers::pi / 4;
-constexpr double kTiltDisagreement_rad = 15 * std::numbers::pi / 180;  // what the ground search tolerates (paper §3.1)
+constexpr double kTiltDisagreement_rad = 15 * kDegree_rad;  // what the ground search tolerates (paper §3.1)
 constexpr double kHeightDisagreement_m = 0.15;
-
-double degrees(double rad)
-{
-	return rad * 180 / std::numbers::pi;
-}
 
 /** The floor in the camera frame, whatever mount was recorded. */
 std::optional<Plane> floorInCamera(DepthFrame frame, const PerceptionConfig& config)
@@ -48,9 +45,9 @@ std::string sentence(const MountEstimate& seen, const mrpt::poses::CPose3D& reco
 	std::ostringstream text;
 	text.precision(2);
 	text << std::fixed << "the floor is not where the camera's pose says: seen " << seen.height_m
-	     << " m below the camera, pitch " << degrees(seen.pitch_rad) << " deg, roll " << degrees(seen.roll_rad)
-	     << " deg; recorded height " << recorded.z() << " m, pitch " << degrees(recorded.pitch()) << " deg, roll "
-	     << degrees(recorded.roll())
+	     << " m below the camera, pitch " << mrpt::RAD2DEG(seen.pitch_rad) << " deg, roll "
+	     << mrpt::RAD2DEG(seen.roll_rad) << " deg; recorded height " << recorded.z() << " m, pitch "
+	     << mrpt::RAD2DEG(recorded.pitch()) << " deg, roll " << mrpt::RAD2DEG(recorded.roll())
 	     << " deg. Set [camera] mount = estimate, or mount = ini with pose_z, pose_pitch, pose_roll, or --sensors-pose";
 	return text.str();
 }

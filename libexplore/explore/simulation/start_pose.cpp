@@ -2,9 +2,9 @@
 #include <explore/core/errors.h>
 #include <explore/simulation/plan_triangle.h>
 #include <explore/simulation/start_pose.h>
+#include <mrpt/core/bits_math.h>
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -44,7 +44,7 @@ std::optional<StartPlace> placeIn(const World& world, const std::string& text)
 	if (numbers.size() != 3 && numbers.size() != 4) return std::nullopt;
 	StartPlace place = onFloor(world, numbers[0], numbers[1]);
 	if (numbers.size() == 4) place.position_in_map.z() = numbers[2];
-	place.yaw_rad = numbers.back() * std::numbers::pi / 180.0;
+	place.yaw_rad = mrpt::DEG2RAD(numbers.back());
 	return place;
 }
 

@@ -1,8 +1,8 @@
 #include <explore/sources/rawlog_info.h>
+#include <mrpt/core/bits_math.h>
 #include <mrpt/system/datetime.h>
 
 #include <iomanip>
-#include <numbers>
 #include <sstream>
 
 namespace explore
@@ -12,7 +12,7 @@ namespace
 /** For printing; adding 0 turns −0 into 0. */
 double degreesOf(double angle_rad)
 {
-	return angle_rad * 180.0 / std::numbers::pi + 0.0;
+	return mrpt::RAD2DEG(angle_rad) + 0.0;
 }
 
 std::string layoutOf(const RawlogInfo& info)

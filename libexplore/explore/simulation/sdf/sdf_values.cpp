@@ -1,9 +1,8 @@
 #include <explore/config/number_text.h>
 #include <explore/core/errors.h>
+#include <explore/core/geometry.h>
 #include <explore/simulation/sdf/sdf_values.h>
 #include <explore/simulation/sdf/text_reader.h>
-
-#include <numbers>
 
 namespace explore::simulation
 {
@@ -78,7 +77,7 @@ Eigen::Isometry3d poseOf(const XmlNode& node)
 		return pose;
 	}
 	const std::string degrees = element->attribute("degrees");
-	const double unit = degrees == "true" || degrees == "1" ? std::numbers::pi / 180 : 1.0;
+	const double unit = degrees == "true" || degrees == "1" ? kDegree_rad : 1.0;
 	pose.linear() = (Eigen::AngleAxisd(unit * v[5], Eigen::Vector3d::UnitZ()) *
 	                 Eigen::AngleAxisd(unit * v[4], Eigen::Vector3d::UnitY()) *
 	                 Eigen::AngleAxisd(unit * v[3], Eigen::Vector3d::UnitX()))
