@@ -119,11 +119,12 @@ TEST(Fields, TheMissionExploresEverywhereAndForAsLongAsItTakes)
 	                                 Pair("plan.comfort", _), Pair("plan.clearance_cost", _),
 	                                 Pair("plan.view_range", _), Pair("plan.view_angle_deg", DoubleNear(57, 1e-6)),
 	                                 Pair("plan.view_height_deg", DoubleNear(45, 1e-6)), Pair("plan.view_depth", _),
-	                                 Pair("plan.min_gain", _), Pair("plan.turn_cost", _), Pair("plan.arrive", _),
-	                                 Pair("plan.home", _), Pair("plan.switch_gain", _), Pair("plan.return_gain", _),
-	                                 Pair("plan.period", _), Pair("bounds.enabled", 0), Pair("bounds.min_x", _),
-	                                 Pair("bounds.max_x", _), Pair("bounds.min_y", _), Pair("bounds.max_y", _),
-	                                 Pair("budget.time", 0), Pair("budget.path", 0), Pair("budget.reserve", 0.3)));
+	                                 Pair("plan.min_gain", _), Pair("plan.pocket_worth", _), Pair("plan.turn_cost", _),
+	                                 Pair("plan.arrive", _), Pair("plan.home", _), Pair("plan.switch_gain", _),
+	                                 Pair("plan.return_gain", _), Pair("plan.period", _), Pair("bounds.enabled", 0),
+	                                 Pair("bounds.min_x", _), Pair("bounds.max_x", _), Pair("bounds.min_y", _),
+	                                 Pair("bounds.max_y", _), Pair("budget.time", 0), Pair("budget.path", 0),
+	                                 Pair("budget.reserve", 0.3)));
 	EXPECT_THAT(recorder.texts(), testing::ElementsAre(Pair("bounds.keep_out", "")));
 }
 }  // namespace

@@ -21,8 +21,8 @@ class GoalPick : public testing::Test
 {
 protected:
 	/** The index that comes first for a robot at robot_x_m with goals along the corridor. */
-	std::size_t first(double robot_x_m, const std::vector<double>& goals_x_m, std::optional<std::size_t> current = {},
-	                  double home_x_m = 0.825)
+	std::optional<std::size_t> first(double robot_x_m, const std::vector<double>& goals_x_m,
+	                                 std::optional<std::size_t> current = {}, double home_x_m = 0.825)
 	{
 		const auto cell = [&](double x_m) { return m_map.cellOf({x_m, kY_m, 0}); };
 		const TravelField field = travelFrom(m_map, cell(robot_x_m), {}, {});
@@ -31,6 +31,7 @@ protected:
 		{
 			LookTarget& target = targets.emplace_back();
 			target.left_lately = m_left_lately == targets.size() - 1;
+			if (m_pocket_m2) target.pocket_m2 = *m_pocket_m2;
 			target.look.cell = cell(x_m);
 			target.stand_in_map = {x_m, kY_m, 0};
 			target.travel_m = field.costTo(target.look.cell);
@@ -39,6 +40,7 @@ protected:
 	}
 
 	std::optional<std::size_t> m_left_lately;  ///< index of such a target
+	std::optional<double> m_pocket_m2;         ///< of all targets
 	AllowedArea m_area;
 	BodyLayers m_layers = test::layersOf(kCorridor);
 	PlanMap m_map = planMap({m_layers, m_area, {0.825, kY_m, 0}, {}, {}}, {}, {});
@@ -96,15 +98,36 @@ TEST_F(GoalPick, WhatWasLeftLatelyComesFirstOnlyWhereThatSavesMuch)
 	EXPECT_EQ(first(5.0, {4.0}), 0U) << "there is nothing else";
 }
 
+TEST_F(GoalPick, APocketIsWorthSoMuchWayAndNoMore)
+{
+	m_pocket_m2 = 0.2;  // 2 m of way
+	EXPECT_EQ(first(5.0, {5.8}), 0U) << "there and back 1.6 m";
+	EXPECT_EQ(first(5.0, {6.4}), std::nullopt) << "2.8 m";
+	EXPECT_EQ(first(5.0, {6.4}, 0), 0U) << "begun, it is gone on with, for up to switch_gain more";
+	EXPECT_EQ(first(5.0, {7.5}, 0), std::nullopt);
+	EXPECT_EQ(first(5.0, {1.5}), 0U) << "on the way home";
+	EXPECT_EQ(first(5.0, {6.4, 6.5, 1.5}), 0U) << "two share a way";
+	m_pocket_m2 = 1.0;
+	EXPECT_EQ(first(5.0, {9.0}), 0U);
+	m_pocket_m2.reset();
+	EXPECT_EQ(first(5.0, {9.0}), 0U) << "without an end";
+}
+
+TEST_F(GoalPick, CutOffFromHomeNoPocketIsLeftOut)
+{
+	m_pocket_m2 = 0.01;
+	EXPECT_EQ(first(6.0, {9.0}, {}, 20.0), 0U);
+}
+
 TEST_F(GoalPick, MoreGoalsThanATourTakesAreNoTrouble)
 {
 	std::vector<double> goals;
 	for (int i = 0; i < 20; ++i) goals.push_back(1.5 + 0.5 * i);
 	EXPECT_EQ(first(1.0, goals, {}, 11.0), 0U);
 	EXPECT_EQ(first(1.0, goals, 0), 0U);
-	EXPECT_LT(first(1.0, goals, 19), 20U) << "the current one is among them however far it is";
+	EXPECT_LT(first(1.0, goals, 19).value(), 20U) << "the current one is among them however far it is";
 	for (int i = 0; i < 80; ++i) goals.push_back(1.5 + 0.1 * i);
-	EXPECT_LT(first(1.0, goals, 99), 100U);
+	EXPECT_LT(first(1.0, goals, 99).value(), 100U);
 }
 
 TEST(NearestTarget, IsTheOneWithTheLeastWay)

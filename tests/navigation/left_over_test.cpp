@@ -39,14 +39,15 @@ test::DrawnMap roomWithExit()
 
 std::vector<LeftOver> accountOf(const test::DrawnMap& drawn, const AllowedArea& area = {},
                                 const std::vector<DoorTrack>& doors = {},
-                                std::optional<LeftOverReason> wanted = LeftOverReason::sealed)
+                                std::optional<LeftOverReason> wanted = LeftOverReason::sealed,
+                                const std::vector<Eigen::Vector3d>& passed_by = {})
 {
 	FrontierMemory memory = test::memoryOf(drawn);
 	memory.doors.tracks = doors;
 	const Eigen::Vector3d robot_in_map = drawn.at('r');
 	const PlanMap map = planMap({memory.layers, area, robot_in_map, {}, {}}, {}, {});
 	const TravelField field = travelFrom(map, map.cellOf(robot_in_map), {}, {});
-	return leftOver({map, memory, field, area, wanted});
+	return leftOver({map, memory, field, area, wanted, passed_by});
 }
 
 /** All of them have one reason. */
@@ -78,6 +79,17 @@ TEST(LeftOver, AnExitThatLookingDidNotOpenIsSealed)
 	ASSERT_EQ(all.size(), 1U) << "neighbours are one";
 	EXPECT_NEAR(all[0].area_m2, 20 * 0.05 * 0.05, 1e-9) << "a column of cells beside 1 m of frontier";
 	EXPECT_LT((all[0].center_in_map.head<2>() - Eigen::Vector2d(2.425, 1.1)).norm(), 0.05);
+}
+
+TEST(LeftOver, WhatIsNotWorthTheWayWasPassedBy)
+{
+	const Eigen::Vector3d exit(2.375, 1.1, 0.0), elsewhere(0.5, 1.1, 0.0);
+	for (const auto& [frontier, passed_by] : {std::pair(exit, true), std::pair(elsewhere, false)})
+	{
+		const auto all = accountOf(roomWithExit(), {}, {}, LeftOverReason::sealed, {frontier});
+		expectAll(all, LeftOverReason::sealed);
+		EXPECT_EQ(all.front().passed_by, passed_by);
+	}
 }
 
 TEST(LeftOver, WhatWasNotYetLookedAtHasNoReason)

@@ -95,6 +95,39 @@ void expectGoodLook(const Scene& scene, const LookTarget& target, const WantedFr
 	EXPECT_GE(target.gain_m2, PlanConfig().min_gain_m2);
 }
 
+/** Two rooms side by side with a door in between, 0.2 m a character. Of the upper one its left is not known, nor the
+ *  middle of the lower one beside it: a place in the lower room that looks at the upper frontier shows the unknown of
+ *  its own room. */
+const test::DrawnMap kTwoRooms({"########################",  //
+                                "#?????.................#",  //
+                                "#?????.................#",  //
+                                "#?????.................#",  //
+                                "#?????.................#",  //
+                                "#?????.................#",  //
+                                "#?????.................#",  //
+                                "#?????.........r.......#",  //
+                                "#?????.................#",  //
+                                "###############.....####",  //
+                                "#......????????........#",  //
+                                "#......????????........#",  //
+                                "#......????????........#",  //
+                                "#......................#",  //
+                                "#......................#",  //
+                                "#......................#",  //
+                                "########################"},
+                               0.2);
+
+TEST(BestLook, IsOneThatSeesItsFrontierNotTheWallBeforeIt)
+{
+	const Scene scene(kTwoRooms, kTwoRooms.at('r'));
+	const WantedFrontier& frontier = scene.frontierAt({1.3, 2.4, 0});
+	ASSERT_GT(frontier.middle_in_map.y(), 1.6) << "of the upper room";
+	const auto best = bestLook(scene.map, scene.field, frontier, {});
+	ASSERT_TRUE(best);
+	EXPECT_GT(best->stand_in_map.y(), 1.6) << "in the upper room";
+	EXPECT_TRUE(sees(scene.map, best->look, frontier.middle_in_map, {}));
+}
+
 TEST(BestLook, ShowsNearlyAllThatAnyPlaceShowsAndIsTheNearestThatDoes)
 {
 	const Scene scene(kTwoExits, kTwoExits.at('r'));

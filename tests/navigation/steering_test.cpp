@@ -149,6 +149,24 @@ TEST_F(SteeringInHall, WithoutAWayForAWhileItBacksOffAndThePlanKeepsOffTheSpot)
 	EXPECT_EQ(m_mission.blocked.size(), 1U);
 }
 
+TEST_F(SteeringInHall, BlockedThereAgainItMakesMoreRoomEachTime)
+{
+	const Eigen::Vector3d there(2.0, 1.5, 0.0);
+	double t_s = 100.0;
+	for (const double room_m : {0.25, 0.5, 1.0, 1.0})
+	{
+		noWay(t_s);
+		EXPECT_TRUE(steerAt(at(there, 0.0, t_s + 2.1)).backs_off);
+		EXPECT_TRUE(steerAt(at({2.01 - room_m, 1.5, 0.0}, 0.0, t_s + 2.2)).backs_off) << room_m;
+		EXPECT_FALSE(steerAt(at({1.99 - room_m, 1.5, 0.0}, 0.0, t_s + 2.3)).backs_off) << room_m;
+		t_s += 4.0;
+	}
+	m_mission.blocked.clear();  // as they are after a while
+	noWay(t_s);
+	EXPECT_TRUE(steerAt(at(there, 0.0, t_s + 2.1)).backs_off);
+	EXPECT_FALSE(steerAt(at({1.74, 1.5, 0.0}, 0.0, t_s + 2.2)).backs_off);
+}
+
 TEST_F(SteeringInHall, BacksOffOnlyIntoWhatIsKnownToBeFree)
 {
 	for (const Eigen::Vector3d& near : {Eigen::Vector3d(0.55, 1.5, 0.0), Eigen::Vector3d(1.0, 0.35, 0.0)})

@@ -2,6 +2,7 @@
 #include <explore/navigation/coarse_map.h>
 #include <explore/navigation/goal_pick.h>
 #include <explore/navigation/tour.h>
+#include <explore/navigation/tour_worth.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,9 @@ TourCosts costsBetween(const PickInput& input, const std::vector<std::size_t>& p
 		return row;
 	};
 	TourCosts costs;
-	costs.from_robot = costs_from(input.yaw_rad, travelBetween(coarse, square(input.field.start), ends, robot, config));
+	const TravelField from_robot = travelBetween(coarse, square(input.field.start), ends, robot, config);
+	costs.from_robot = costs_from(input.yaw_rad, from_robot);
+	costs.home_from_robot = costTo(from_robot, ends.front());
 	for (const std::size_t i : places)
 	{
 		const TravelField field = travelBetween(coarse, square(look(i).cell), ends, robot, config);
@@ -67,6 +70,26 @@ TourCosts costsBetween(const PickInput& input, const std::vector<std::size_t>& p
 		costs.to_home.push_back(costTo(field, ends.front()));
 	}
 	return costs;
+}
+
+/** False if nothing is left then. The current goal is left only for a way that is shorter by switch_gain_m. */
+bool leaveOutWhatIsNotWorthIt(const PickInput& input, TourCosts& costs, std::vector<std::size_t>& places,
+                              const PlanConfig& config)
+{
+	if (costs.home_from_robot >= kNoWay_m) return true;
+	std::vector<double> worth_m;
+	for (const std::size_t i : places)
+	{
+		const double pocket_m2 = input.targets[i].pocket_m2;
+		const double stay_m = input.current == i ? config.switch_gain_m : 0.0;
+		worth_m.push_back(std::isinf(pocket_m2) ? pocket_m2 : config.pocket_worth * pocket_m2 + stay_m);
+	}
+	const std::vector<std::size_t> kept = placesWorthTheWay(costs, worth_m);
+	costs = costsOfSome(costs, kept);
+	std::vector<std::size_t> kept_places;
+	for (const std::size_t i : kept) kept_places.push_back(places[i]);
+	places = std::move(kept_places);
+	return !places.empty();
 }
 
 /** The index with the least cost among those that `may`; of those that cost as much but for kTie_m the one that is
@@ -87,11 +110,11 @@ std::size_t leastTour(const std::vector<double>& tours, const TourCosts& costs, 
 }
 }  // namespace
 
-std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const PlanConfig& config)
+std::optional<std::size_t> firstOfTour(const PickInput& input, const RobotConfig& robot, const PlanConfig& config)
 {
-	if (input.targets.size() == 1) return 0;
-	const std::vector<std::size_t> places = nearestTargets(input);
-	const TourCosts costs = costsBetween(input, places, robot, config);
+	std::vector<std::size_t> places = nearestTargets(input);
+	TourCosts costs = costsBetween(input, places, robot, config);
+	if (!leaveOutWhatIsNotWorthIt(input, costs, places, config)) return std::nullopt;
 	const std::vector<double> tours = toursByFirst(costs);
 	const std::size_t any = leastTour(tours, costs, [](std::size_t) { return true; });
 	// Cut off from home no tour is better than another: to change between them would end none.

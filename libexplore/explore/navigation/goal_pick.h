@@ -20,9 +20,10 @@ struct PickInput
 	std::optional<std::size_t> current;  ///< index of the target that the robot goes for now
 };
 
-/** Index of the target to go for; `targets` must not be empty. The current one is kept unless another first goal makes
- *  the tour shorter by switch_gain_m, and one that was left lately comes first only where that saves return_gain_m. */
-std::size_t firstOfTour(const PickInput& input, const RobotConfig& robot, const PlanConfig& config);
+/** Index of the target to go for; `targets` must not be empty. No value: none is worth the way (pocket_worth). The
+ * current one is kept unless another first goal makes the tour shorter by switch_gain_m, and one that was left lately
+ * comes first only where that saves return_gain_m. */
+std::optional<std::size_t> firstOfTour(const PickInput& input, const RobotConfig& robot, const PlanConfig& config);
 
 /** Index of the target with the least way. */
 std::size_t nearestTarget(const std::vector<LookTarget>& targets);

@@ -13,6 +13,10 @@ constexpr double kStartSpeed_mps = 0.10;
 constexpr double kCrawl = 0.5;
 
 constexpr double kTurnTime_s = 0.5;
+/** Full speed up to the one turn, a share of it from the other on: where a robot turns to, its hull passes what lies
+ *  beside a camera's usual 57° of view, and somebody may have come there since it was last seen. Not none: a robot that
+ *  sees a way to the left once it has turned right, and the other way round, would turn for ever. */
+constexpr double kFullSpeed_rad = 0.1, kSharpTurn_rad = 0.5, kLeastShare = 0.25;
 
 double brakingDistance(double speed_mps, const RobotConfig& robot)
 {
@@ -37,11 +41,19 @@ StopReason stopReason(const Avoidance& avoidance, StopReason forbidden, double c
 	                                                                         : StopReason::none;
 }
 
+/** Share of the speed that is left in a turn. */
+double speedInTurn(double turn_rad)
+{
+	const double sharp =
+	    std::clamp((std::abs(turn_rad) - kFullSpeed_rad) / (kSharpTurn_rad - kFullSpeed_rad), 0.0, 1.0);
+	return (1.0 - sharp * (1.0 - kLeastShare)) * std::max(0.0, std::cos(turn_rad));
+}
+
 Command commandFor(const Avoidance& avoidance, const RobotConfig& robot, const HeadingConfig& config)
 {
 	const double turn_rad = *avoidance.heading_rad;
 	const double free_m = std::min(avoidance.open_path_m, avoidance.turning_path_m);
-	const double speed_mps = safeSpeed(free_m, robot, config) * std::max(0.0, std::cos(turn_rad));
+	const double speed_mps = safeSpeed(free_m, robot, config) * speedInTurn(turn_rad);
 	Command command;
 	command.velocity_mps.x() = speed_mps * std::cos(avoidance.elevation_rad);
 	command.velocity_mps.z() = speed_mps * std::sin(avoidance.elevation_rad);

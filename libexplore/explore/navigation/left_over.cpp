@@ -62,6 +62,7 @@ struct FrontierFacts
 	bool wanted = false;       ///< the body might get into what is unknown there
 	bool roomy = false;        ///< there is room for it somewhere
 	bool seen_across = false;  ///< no way leads to any of its cells
+	bool passed_by = false;
 };
 
 FrontierFacts factsOf(const LeftOverInput& input, const FrontierCluster& cluster, const std::vector<CellIndex>& unknown)
@@ -74,6 +75,13 @@ FrontierFacts factsOf(const LeftOverInput& input, const FrontierCluster& cluster
 	facts.seen_across =
 	    std::none_of(cluster.cells.begin(), cluster.cells.end(),
 	                 [&](std::size_t cell) { return input.field.reaches(static_cast<CellIndex>(cell)); });
+	facts.passed_by =
+	    std::any_of(input.passed_by_in_map.begin(), input.passed_by_in_map.end(),
+	                [&](const Eigen::Vector3d& middle)
+	                {
+		                const std::size_t cell = map.cellOf(middle);
+		                return std::find(cluster.cells.begin(), cluster.cells.end(), cell) != cluster.cells.end();
+	                });
 	return facts;
 }
 
@@ -93,7 +101,9 @@ void join(std::vector<LeftOver>& all, const LeftOver& one)
 {
 	for (LeftOver& other : all)
 	{
-		if (other.why != one.why || (other.center_in_map - one.center_in_map).norm() > kJoin_m) continue;
+		if (other.why != one.why || other.passed_by != one.passed_by ||
+		    (other.center_in_map - one.center_in_map).norm() > kJoin_m)
+			continue;
 		const double area_m2 = other.area_m2 + one.area_m2;
 		other.center_in_map = (other.center_in_map * other.area_m2 + one.center_in_map * one.area_m2) / area_m2;
 		other.area_m2 = area_m2;
@@ -123,7 +133,9 @@ std::vector<LeftOver> leftOver(const LeftOverInput& input)
 		for (const CellIndex cell : unknown)
 		{
 			if (std::exchange(counted[cell], std::uint8_t{1}) != 0) continue;
-			if (const auto why = reasonOf(input, facts, cell)) join(all, {map.middleOf(cell), cell_m2, *why});
+			const auto why = reasonOf(input, facts, cell);
+			const bool passed_by = why == LeftOverReason::sealed && facts.passed_by;
+			if (why) join(all, {map.middleOf(cell), cell_m2, *why, passed_by});
 		}
 	}
 	return all;

@@ -13,7 +13,7 @@ namespace explore
 {
 enum class LeftOverReason
 {
-	sealed,        ///< looked at, and nothing came of it: no ray gets in
+	sealed,        ///< nothing more can come of it: looked at in vain, or enclosed by what is known and passed by
 	too_narrow,    ///< the robot does not fit
 	out_of_reach,  ///< seen across something, without a way there
 	closed_door,   ///< a door stands there that is closed or blocked
@@ -29,6 +29,7 @@ struct LeftOver
 	Eigen::Vector3d center_in_map = Eigen::Vector3d::Zero();
 	double area_m2 = 0;  ///< of the unknown cells beside the frontier
 	LeftOverReason why = LeftOverReason::sealed;
+	bool passed_by = false;  ///< a pocket that is not worth the way: nobody looked
 };
 
 struct LeftOverInput
@@ -39,6 +40,8 @@ struct LeftOverInput
 	const AllowedArea& area;
 	/** Of what is still wanted: it was looked at, as often as it is worth. No value: it is not in the account. */
 	std::optional<LeftOverReason> wanted = LeftOverReason::sealed;
+	std::vector<Eigen::Vector3d>
+	    passed_by_in_map;  ///< middles of frontiers that would be worth a look, but not the way
 };
 
 /** The account: every frontier with its reason; neighbours with the same reason are one. */

@@ -14,7 +14,7 @@ namespace
  *  far from a frontier. */
 constexpr int kLattice_cells = 6;
 constexpr double kNear_m = 6.0;
-constexpr double kFarthest_m = 3.0;
+constexpr double kFarthest_m = 4.5;
 /** Of what the best place shows a place must show this share; what it shows less counts as way, so much for all of it.
  */
 constexpr double kGoodShare = 0.3, kLess_m = 3.0;
@@ -76,20 +76,32 @@ const LookTarget& cheapest(const PlanMap& map, const std::vector<LookTarget>& ta
 	                         [&](const LookTarget& a, const LookTarget& b) { return cost(a) < cost(b); });
 }
 
-std::optional<LookTarget> bestOfLattice(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
-                                        int lattice_cells, const PlanConfig& config)
+/** Where a frontier might be looked at from: those places that see it. What a look shows through a wall that was not
+ *  seen yet lies on this side of it; only a frontier that no place sees is looked for from all of them. */
+std::vector<LookTarget> placesAround(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                     int lattice_cells, const PlanConfig& config)
 {
-	std::vector<LookTarget> targets;
-	double best_gain_m2 = 0.0;
+	std::vector<LookTarget> all, seeing;
 	const auto consider = [&](CellIndex cell)
 	{
-		LookTarget target = targetAt(map, field, cell, frontier);
-		target.gain_m2 = lookGain(map, target.look, config);
-		best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
-		targets.push_back(target);
+		all.push_back(targetAt(map, field, cell, frontier));
+		if (sees(map, all.back().look, frontier.middle_in_map, config)) seeing.push_back(all.back());
 	};
 	forEachPlace(map, field, frontier, lattice_cells, consider);
 	if (isNearStart(map, field, frontier, config)) consider(field.start);
+	return seeing.empty() ? all : seeing;
+}
+
+std::optional<LookTarget> bestOfLattice(const PlanMap& map, const TravelField& field, const WantedFrontier& frontier,
+                                        int lattice_cells, const PlanConfig& config)
+{
+	std::vector<LookTarget> targets = placesAround(map, field, frontier, lattice_cells, config);
+	double best_gain_m2 = 0.0;
+	for (LookTarget& target : targets)
+	{
+		target.gain_m2 = lookGain(map, target.look, config);
+		best_gain_m2 = std::max(best_gain_m2, target.gain_m2);
+	}
 	if (best_gain_m2 < config.min_gain_m2) return std::nullopt;
 	std::erase_if(targets, [&](const LookTarget& target)
 	              { return target.gain_m2 < std::max(kGoodShare * best_gain_m2, config.min_gain_m2); });
@@ -175,10 +187,13 @@ std::vector<LookTarget> withoutRedundant(const PlanMap& map, std::vector<LookTar
 	std::vector<LookTarget> kept;
 	for (const LookTarget& target : targets)
 	{
-		const bool shown =
-		    std::any_of(kept.begin(), kept.end(),
-		                [&](const LookTarget& other) { return sees(map, other.look, target.frontier_in_map, config); });
-		if (!shown) kept.push_back(target);
+		const auto shown = std::find_if(kept.begin(), kept.end(),
+		                                [&](const LookTarget& other)
+		                                { return sees(map, other.look, target.frontier_in_map, config); });
+		if (shown == kept.end())
+			kept.push_back(target);
+		else
+			shown->pocket_m2 += target.pocket_m2;
 	}
 	return kept;
 }

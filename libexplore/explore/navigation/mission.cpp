@@ -1,7 +1,7 @@
 #include <explore/core/geometry.h>
-#include <explore/navigation/goal_kind.h>
 #include <explore/navigation/goal_pick.h>
 #include <explore/navigation/mission.h>
+#include <explore/navigation/mission_goal.h>
 #include <explore/navigation/mission_plan.h>
 
 #include <algorithm>
@@ -24,10 +24,6 @@ Eigen::Vector3d placeIn(const Eigen::Isometry3d& map_from_robot)
 
 /** What is asked of a goal that is reached: the camera points there. */
 constexpr double kArrive_rad = 0.14;
-/** How long a goal may take: so many times as long as the way at full speed, and a while to turn and wait. */
-constexpr double kPatience = 4.0, kPatience_s = 30.0;
-/** On the way home that while is longer: there is nothing else to do than to wait until the way is free. */
-constexpr double kPatienceHome_s = 120.0;
 /** Without a frame for longer the robot is told to stand, and no goal is blamed for the time that this lasts. */
 constexpr double kSilence_s = 1.0;
 /** Between the places of the trail. */
@@ -73,63 +69,35 @@ void leave(Mission& mission, double now_s, bool done)
 	mission.goal.reset();
 }
 
-MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const FrontierMemory& memory,
-                    const MissionNow& now, const RobotConfig& robot)
-{
-	MissionGoal goal;
-	goal.stand_in_map = target.stand_in_map;
-	goal.frontier_in_map = target.frontier_in_map;
-	goal.yaw_rad = target.look.yaw_rad;
-	goal.gain_m2 = target.gain_m2;
-	goal.looks_around = target.looks_around;
-	goal.chosen_at_s = now.t_s;
-	goal.patience_s = kPatience_s + kPatience * target.travel_m / robot.max_speed_mps;
-	const GoalName name = nameOf(target, plan.field.wayTo(target.look.cell), plan.map, memory, robot);
-	goal.kind = name.kind;
-	goal.track = name.track;
-	return goal;
-}
-
-/** The way home, as it is now; how long it may take counts from when the robot first set out. */
-MissionGoal goalHome(const Mission& mission, const MissionPlan& plan, const MissionNow& now, const RobotConfig& robot)
-{
-	MissionGoal goal;
-	goal.kind = GoalKind::home;
-	const HomePlace place = homePlace(mission, plan);
-	goal.stand_in_map = goal.frontier_in_map = place.stand_in_map;
-	goal.yaw_rad = place.yaw_rad;
-	goal.reachable = plan.field.reaches(plan.home);
-	const bool on_its_way = mission.goal && mission.goal->kind == GoalKind::home;
-	goal.chosen_at_s = on_its_way ? mission.goal->chosen_at_s : now.t_s;
-	goal.patience_s =
-	    on_its_way ? mission.goal->patience_s : kPatienceHome_s + kPatience * pathHome(plan) / robot.max_speed_mps;
-	return goal;
-}
-
-/** The target to go for, the current goal being one of them while it is worth keeping. */
-void chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
+/** Sets out for one of the targets, the current goal being one of them while it is worth keeping. False: none is worth
+ *  the way. */
+bool chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
                   const RobotConfig& robot, const MissionConfig& config)
 {
+	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
 	if (mission.goal || mission.undone)
 		for (LookTarget& target : plan.targets) target.left_lately = wasLeftLately(mission, target, now.t_s);
 	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
-	if (mission.goal)
+	if (looking)
 	{
-		std::erase_if(plan.targets, [&](const LookTarget& target)
-		              { return (target.frontier_in_map - mission.goal->frontier_in_map).norm() < kSameGoal_m; });
+		standForTargets(*mission.goal, plan.targets);
 		plan.targets.push_back(asTarget(*mission.goal, plan));
 		input.current = plan.targets.size() - 1;
 	}
 	const bool tours = config.policy == GoalPolicy::explore;
-	std::size_t pick = input.current.value_or(0);
+	std::optional<std::size_t> pick = input.current;
 	if (tours)
 		pick = firstOfTour(input, robot, config.plan);
-	else if (!input.current)
+	else if (!pick)
 		pick = nearestTarget(plan.targets);
-	if (pick == input.current) return;
-	if (mission.goal) leave(mission, now.t_s, false);
-	mission.goal = goalFor(plan.targets[pick], plan, memory, now, robot);
+	if (pick && pick == input.current) return true;
+	if (mission.goal && (pick || looking)) leave(mission, now.t_s, false);
+	if (!pick) return false;
+	mission.phase = MissionPhase::explore;
+	mission.end = MissionEnd::none;
+	mission.goal = goalFor(plan.targets[*pick], plan, memory, now.t_s, robot);
 	mission.goal->chosen_at_m = mission.path_m;
+	return true;
 }
 
 /** Why the robot has to go home now although there is more to see. */
@@ -149,7 +117,7 @@ void goHome(Mission& mission, MissionEnd why, const MissionPlan& plan, const Mis
 {
 	mission.phase = MissionPhase::go_home;
 	mission.end = why;
-	mission.goal = goalHome(mission, plan, now, robot);
+	mission.goal = goalHome(mission, plan, now.t_s, robot);
 }
 
 /** Why what is still worth a look was left. */
@@ -179,17 +147,11 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
 	if (spent != MissionEnd::none)
 		goHome(mission, spent, plan, now, robot);
-	else if (plan.targets.empty() && !looking)
+	else if ((plan.targets.empty() && !looking) || !chooseTarget(mission, plan, memory, now, robot, config))
 		goHome(mission, plan.cut_off ? MissionEnd::cut_off : MissionEnd::nothing_left, plan, now, robot);
-	else
-	{
-		if (mission.phase == MissionPhase::go_home && mission.goal) leave(mission, now.t_s, false);
-		mission.phase = MissionPhase::explore;
-		mission.end = MissionEnd::none;
-		chooseTarget(mission, plan, memory, now, robot, config);
-	}
 	if (mission.phase == MissionPhase::go_home)
-		mission.left_over = leftOver({plan.map, memory, plan.field, plan.area, whyWanted(mission.end)});
+		mission.left_over =
+		    leftOver({plan.map, memory, plan.field, plan.area, whyWanted(mission.end), plan.frontiers_in_map});
 	mission.way_in_map = shortenedWay(plan.map, plan.field, plan.map.cellOf(mission.goal->stand_in_map), config.plan);
 	if (!mission.way_in_map.empty()) mission.way_in_map.back() = mission.goal->stand_in_map;
 }

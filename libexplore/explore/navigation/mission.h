@@ -41,6 +41,7 @@ struct MissionGoal
 	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();  ///< what it is to see there
 	double yaw_rad = 0;                                         ///< in the map
 	double gain_m2 = 0;                                         ///< unknown space that it is held to show
+	double pocket_m2 = 0;                                       ///< LookTarget::pocket_m2
 	bool looks_around = false;                                  ///< for a way out, being cut off
 	bool reachable = true;                                      ///< false: home, to which no way leads at present
 	double chosen_at_s = 0, patience_s = 0;                     ///< when, and how long it may take

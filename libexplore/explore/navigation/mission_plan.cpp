@@ -1,5 +1,6 @@
 #include <explore/core/geometry.h>
 #include <explore/navigation/mission_plan.h>
+#include <explore/navigation/pockets.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,18 +27,22 @@ bool wasTried(const Mission& mission, const LookTarget& target)
 	                   });
 }
 
-std::vector<LookTarget> targetsOf(const MissionPlan& plan, const FrontierMemory& memory, const Mission& mission,
-                                  const MissionConfig& config)
+/** Finds the plan's frontiers and looks. */
+void findTargets(MissionPlan& plan, const FrontierMemory& memory, const Mission& mission, const MissionConfig& config)
 {
 	std::vector<LookTarget> targets;
 	const bool looks = config.policy == GoalPolicy::explore;
+	const Pockets pockets = pocketsOf(plan.map);
 	for (const WantedFrontier& frontier : wantedFrontiers(plan.map, memory.frontiers.clusters()))
 	{
-		const auto target = looks ? bestLook(plan.map, plan.field, frontier, config.plan)
-		                          : nearestPlace(plan.map, plan.field, frontier, config.plan);
-		if (target && !wasTried(mission, *target)) targets.push_back(*target);
+		auto target = looks ? bestLook(plan.map, plan.field, frontier, config.plan)
+		                    : nearestPlace(plan.map, plan.field, frontier, config.plan);
+		if (!target || wasTried(mission, *target)) continue;
+		target->pocket_m2 = pockets.besideThose(plan.map, frontier.cells);
+		targets.push_back(*target);
+		plan.frontiers_in_map.push_back(frontier.middle_in_map);
 	}
-	return looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : targets;
+	plan.targets = looks ? withoutRedundant(plan.map, std::move(targets), config.plan) : std::move(targets);
 }
 
 /** Whether the robot can get farther than a step from where it stands. */
@@ -78,7 +83,7 @@ MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const 
 	plan.home = plan.map.cellOf(mission.map_from_home->translation());
 	plan.field = travelFrom(plan.map, plan.start, robot, config.plan);
 	plan.cut_off = mission.held || isCutOff(plan);
-	plan.targets = targetsOf(plan, memory, mission, config);
+	findTargets(plan, memory, mission, config);
 	if (mission.held || (plan.cut_off && plan.targets.empty()))
 	{
 		std::vector<LookTarget> around = looksAround(plan.map, plan.field, config.plan);
@@ -114,12 +119,7 @@ HomePlace homePlace(const Mission& mission, const MissionPlan& plan)
 LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan)
 {
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
-	return {{cell, goal.yaw_rad},
-	        goal.stand_in_map,
-	        goal.frontier_in_map,
-	        goal.gain_m2,
-	        plan.field.costTo(cell),
-	        goal.looks_around,
-	        false};
+	return {{cell, goal.yaw_rad},    goal.stand_in_map, goal.frontier_in_map, goal.gain_m2,
+	        plan.field.costTo(cell), goal.pocket_m2,    goal.looks_around,    false};
 }
 }  // namespace explore

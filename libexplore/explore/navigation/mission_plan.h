@@ -7,9 +7,6 @@
 
 namespace explore
 {
-/** Frontiers nearer to each other than this are one goal. */
-inline constexpr double kSameGoal_m = 0.6;
-
 /** The robot does not turn back to a goal that it left less than so long ago unless it has done with the one since. */
 inline constexpr double kLeft_s = 20.0;
 [[nodiscard]] bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_s);
@@ -21,8 +18,9 @@ struct MissionPlan
 	AllowedArea area;
 	CellIndex start = kNoCell, home = kNoCell;
 	TravelField field;
-	bool cut_off = false;  ///< no way leads home, or anywhere, or the robot does not get on
-	std::vector<LookTarget> targets;
+	bool cut_off = false;                           ///< no way leads home, or anywhere, or the robot does not get on
+	std::vector<Eigen::Vector3d> frontiers_in_map;  ///< middles of those that are worth a look
+	std::vector<LookTarget> targets;                ///< looks that show them all
 };
 
 MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now,

@@ -20,6 +20,9 @@ void describe(FieldVisitor& fields, PlanConfig& config)
 	fields.real("view_depth", config.view_depth_m, {0.1, 10.0}, "m",
 	            "a look is held to show so much of unknown space along each ray");
 	fields.real("min_gain", config.min_gain_m2, {0.0, 10.0}, "m2", "unknown space that is worth a look");
+	fields.real(
+	    "pocket_worth", config.pocket_worth, {0.0, 1e6}, "m/m2",
+	    "explore only: unknown space that what is known encloses is worth so much way; what costs more is left");
 	fields.real("turn_cost", config.turn_cost_m, {0.0, 10.0}, "m", "a radian's turn counts as so much way");
 	fields.real("arrive", config.arrive_m, {0.02, 2.0}, "m", "a goal is reached within this");
 	fields.real("home", config.home_m, {0.01, 2.0}, "m", "home is reached within this");

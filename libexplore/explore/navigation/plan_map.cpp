@@ -63,16 +63,6 @@ void markAllowed(PlanMap& map, const AllowedArea& area)
 		map.allowed[i] = area.allows(map.middleOf(static_cast<CellIndex>(i)).head<2>()) ? 1 : 0;
 }
 
-/** The cells beside it, above and below too. */
-template <class Visit>
-void forEachNext(const PlanMap& map, CellIndex cell, const Visit& visit)
-{
-	forEachBeside(map, cell, visit);
-	const auto layer = static_cast<CellIndex>(map.layerCells());
-	if (cell >= layer) visit(cell - layer);
-	if (cell + layer < map.cells.size()) visit(cell + layer);
-}
-
 /** The cells of a square in the layer, half its edge `reach_m`; none for kNoCell. */
 template <class Visit>
 void forEachAround(const PlanMap& map, CellIndex middle, double reach_m, const Visit& visit)

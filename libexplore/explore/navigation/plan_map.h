@@ -56,6 +56,16 @@ void forEachBeside(const PlanMap& map, CellIndex cell, const Visit& visit)
 	if (row > 0) visit(cell - columns);
 }
 
+/** The cells beside it, above and below too: visit(cell). */
+template <class Visit>
+void forEachNext(const PlanMap& map, CellIndex cell, const Visit& visit)
+{
+	forEachBeside(map, cell, visit);
+	const auto layer = static_cast<CellIndex>(map.layerCells());
+	if (cell >= layer) visit(cell - layer);
+	if (cell + layer < map.cells.size()) visit(cell + layer);
+}
+
 /** What a plan starts from. */
 struct PlanInput
 {

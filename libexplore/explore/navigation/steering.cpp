@@ -1,9 +1,9 @@
 #include <explore/core/geometry.h>
 #include <explore/navigation/steering.h>
+#include <explore/navigation/way_ahead.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -18,62 +18,15 @@ constexpr double kTurnFrom_rad = 0.6, kTurnUntil_rad = 0.15;
 constexpr double kTurnTime_s = 0.5;
 /** Blocked for so long, it backs off so far, so fast; the spot ahead is avoided for a while. */
 constexpr double kWait_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
+/** Each time that it is blocked near such a spot it backs off twice as far, but so often at most. */
+constexpr double kSameSpot_m = 0.6;
+constexpr std::ptrdiff_t kMostDoublings = 2;
 /** A robot that drives gets this far within its patience. */
 constexpr double kHeadway_m = 0.05;
 /** It turns back to where it was so far from here. */
 constexpr double kBack_m = 0.7;
 /** It moves by what it remembers when the camera has shown nothing for so long, but for no longer than the other. */
 constexpr double kDark_s = 1.0, kBlind_s = 15.0;
-
-/** Of a point on the way: its distance from `at`, and how far along the way it lies. */
-struct OnWay
-{
-	std::size_t leg = 0;
-	double share = 0;
-	double away_m = std::numeric_limits<double>::infinity();
-};
-
-OnWay nearestOn(const std::vector<Eigen::Vector3d>& way, const Eigen::Vector3d& at)
-{
-	OnWay nearest;
-	for (std::size_t leg = 0; leg + 1 < way.size(); ++leg)
-	{
-		const Eigen::Vector3d along = way[leg + 1] - way[leg];
-		const double squared = along.squaredNorm();
-		const double share = squared > 0.0 ? std::clamp(along.dot(at - way[leg]) / squared, 0.0, 1.0) : 0.0;
-		const double away_m = (way[leg] + share * along - at).norm();
-		if (away_m < nearest.away_m) nearest = {leg, share, away_m};
-	}
-	return nearest;
-}
-
-struct Aim
-{
-	Eigen::Vector3d point_in_map;
-	double rest_m;  ///< to the way's end
-};
-
-/** The point `ahead_m` further on the way than where the robot is, or the way's end. */
-Aim aimOn(const std::vector<Eigen::Vector3d>& way, const Eigen::Vector3d& at, double ahead_m)
-{
-	if (way.size() < 2) return {way.empty() ? at : way.back(), way.empty() ? 0.0 : (way.back() - at).norm()};
-	const OnWay here = nearestOn(way, at);
-	Eigen::Vector3d from = way[here.leg] + here.share * (way[here.leg + 1] - way[here.leg]);
-	Aim aim{way.back(), 0.0};
-	bool found = false;
-	for (std::size_t leg = here.leg; leg + 1 < way.size(); ++leg)
-	{
-		const double length_m = (way[leg + 1] - from).norm();
-		if (!found && aim.rest_m + length_m >= ahead_m)
-		{
-			aim.point_in_map = from + (way[leg + 1] - from) * ((ahead_m - aim.rest_m) / length_m);
-			found = true;
-		}
-		aim.rest_m += length_m;
-		from = way[leg + 1];
-	}
-	return aim;
-}
 
 /** Whether the hull has known free room straight behind it. */
 bool isFreeBehind(const BodyLayers& layers, const MissionNow& now, const RobotConfig& robot)
@@ -93,11 +46,16 @@ bool isFreeBehind(const BodyLayers& layers, const MissionNow& now, const RobotCo
 	return true;
 }
 
-void blockAhead(Mission& mission, const MissionNow& now)
+/** How often it was blocked near there lately, up to now. */
+std::ptrdiff_t blockAhead(Mission& mission, const MissionNow& now)
 {
-	const Aim aim = aimOn(mission.way_in_map, now.map_from_robot.translation(), kAhead_m);
-	mission.blocked.push_back({aim.point_in_map, now.t_s + kAvoidSpot_s});
+	const Eigen::Vector3d ahead = aimOn(mission.way_in_map, now.map_from_robot.translation(), kAhead_m).point_in_map;
+	const auto times =
+	    std::count_if(mission.blocked.begin(), mission.blocked.end(),
+	                  [&](const BlockedSpot& spot) { return (spot.at_in_map - ahead).norm() < kSameSpot_m; });
+	mission.blocked.push_back({ahead, now.t_s + kAvoidSpot_s});
 	mission.planned_at_s = 0.0;
+	return times;
 }
 
 /** Whether the robot drives, and gets nowhere: it has run into something that it does not see. */
@@ -127,14 +85,15 @@ bool backsOff(Steering& steering, Mission& mission, const FrontierMemory& memory
 	const bool free_behind = isFreeBehind(memory.layers, now, robot);
 	if (steering.backing_from_in_map)
 	{
-		if (free_behind && (at - *steering.backing_from_in_map).norm() < kBackOff_m) return true;
+		if (free_behind && (at - *steering.backing_from_in_map).norm() < steering.back_off_m) return true;
 		steering.backing_from_in_map.reset();
 		return false;
 	}
 	if (!isStuck(steering, now)) return false;
 	steering.blocked_since_s.reset();
 	steering.got_there_at_s = now.t_s;
-	blockAhead(mission, now);
+	const std::ptrdiff_t times = blockAhead(mission, now);
+	steering.back_off_m = kBackOff_m * static_cast<double>(1 << std::min(times, kMostDoublings));
 	if (free_behind) steering.backing_from_in_map = at;
 	return free_behind;
 }

@@ -15,6 +15,7 @@ struct Steering
 	bool turning = false;                                     ///< on the spot
 	std::optional<double> blocked_since_s;                    ///< the avoider has found no way since
 	std::optional<Eigen::Vector3d> backing_from_in_map;       ///< where the robot was when it began to back off
+	double back_off_m = 0;                                    ///< how far it goes back from there
 	std::optional<double> blind_since_s;                      ///< the camera has shown nothing since
 	bool turning_back = false;                                ///< to where it came from, and saw something
 	bool driving = false;                                     ///< the last command was to drive
@@ -34,7 +35,8 @@ struct SteeringGoal
 
 /** Where to go from here on the mission's way: toward a point a little ahead on it, turning on the spot where that lies
  *  far from straight ahead, and at its end to the goal's yaw. After more than a moment without a way the robot backs
- *  off along what it knows to be free, the spot ahead is blocked for the plan, and the plan is made anew. */
+ *  off along what it knows to be free, the spot ahead is blocked for the plan, and the plan is made anew. Stopped there
+ *  again soon it backs off farther: who wants to come through where it wants to go out is let through. */
 SteeringGoal steer(Steering& steering, Mission& mission, const FrontierMemory& memory, const MissionNow& now,
                    const RobotConfig& robot);
 

@@ -12,6 +12,7 @@ struct TourCosts
 	std::vector<double> from_robot;            ///< to each place
 	std::vector<std::vector<double>> between;  ///< from each place to each other
 	std::vector<double> to_home;               ///< from each place
+	double home_from_robot = 0;
 };
 
 /** Up to so many places the tours are the cheapest there are. */

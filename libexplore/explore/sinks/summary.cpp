@@ -58,9 +58,12 @@ Json leftOverJson(const std::vector<LeftOver>& left_over)
 {
 	Json list = Json::array();
 	for (const LeftOver& left : left_over)
+	{
 		list.push_back({{"center_in_map", jsonVector(left.center_in_map)},
 		                {"area_m2", jsonNumber(left.area_m2)},
 		                {"why", nameOf(left.why)}});
+		if (left.passed_by) list.back()["passed_by"] = true;
+	}
 	return list;
 }
 

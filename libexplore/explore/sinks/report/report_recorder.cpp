@@ -7,7 +7,7 @@ namespace explore
 {
 namespace
 {
-constexpr double kSameGoal_m = 0.25;
+constexpr double kOneGoal_m = 0.25;
 
 std::string beginningText(double t_s, const ReportConfig& config)
 {
@@ -84,7 +84,7 @@ std::string ReportRecorder::goalText(const DepthFrame& frame, const Goal& goal)
 		now.point_in_map = Eigen::Vector2d(shortNumber(point.x(), 2), shortNumber(point.y(), 2));
 	}
 	const bool near = now.point_in_map.has_value() == m_goal.point_in_map.has_value() &&
-	                  (!now.point_in_map || (*now.point_in_map - *m_goal.point_in_map).norm() < kSameGoal_m);
+	                  (!now.point_in_map || (*now.point_in_map - *m_goal.point_in_map).norm() < kOneGoal_m);
 	if (now.kind == m_goal.kind && now.track == m_goal.track && near) return "";
 	m_goal = now;
 	Json line{frame.index, nameOf(now.kind), jsonOrNull(now.track)};
