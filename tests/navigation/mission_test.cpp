@@ -82,6 +82,16 @@ const test::DrawnMap kShelf({"###################################",  //
                              "###################################"},
                             0.2);
 
+TEST(Mission, LooksFromNearerWhereALookFromAfarShowedNothing)
+{
+	MissionConfig config;
+	config.plan.view_range_m = 4.8;  // the camera sees 4 m
+	test::MissionRun run(kShelf, config);
+	run.run(900);
+	ASSERT_TRUE(run.done());
+	EXPECT_LT(run.freeButUnknown(), 30U) << "of 560";
+}
+
 TEST(Mission, PassesByWhatIsNotWorthTheWayAndSaysSo)
 {
 	const auto passed_by = [](const test::MissionRun& run)

@@ -14,10 +14,10 @@ namespace
  *  far from a frontier. */
 constexpr int kLattice_cells = 6;
 constexpr double kNear_m = 6.0;
-constexpr double kFarthest_m = 4.5;
+constexpr double kFarthest_m = 3.0;
 /** Of what the best place shows a place must show this share; what it shows less counts as way, so much for all of it.
  */
-constexpr double kGoodShare = 0.3, kLess_m = 3.0;
+constexpr double kGoodShare = 0.3, kLess_m = 1.0;
 /** Metres of way for a metre that a place is too near to things. */
 constexpr double kCrowding = 3.0;
 

@@ -27,6 +27,13 @@ bool wasTried(const Mission& mission, const LookTarget& target)
 	                   });
 }
 
+bool wasLookedAt(const Mission& mission, const WantedFrontier& frontier)
+{
+	return std::any_of(mission.tried.begin(), mission.tried.end(),
+	                   [&](const TriedFrontier& tried)
+	                   { return (tried.frontier_in_map - frontier.middle_in_map).norm() < kSameGoal_m; });
+}
+
 /** Finds the plan's frontiers and looks. */
 void findTargets(MissionPlan& plan, const FrontierMemory& memory, const Mission& mission, const MissionConfig& config)
 {
@@ -35,8 +42,10 @@ void findTargets(MissionPlan& plan, const FrontierMemory& memory, const Mission&
 	const Pockets pockets = pocketsOf(plan.map);
 	for (const WantedFrontier& frontier : wantedFrontiers(plan.map, memory.frontiers.clusters()))
 	{
-		auto target = looks ? bestLook(plan.map, plan.field, frontier, config.plan)
-		                    : nearestPlace(plan.map, plan.field, frontier, config.plan);
+		// What stayed after a look is looked at from as near as the robot gets.
+		auto target = looks && !wasLookedAt(mission, frontier)
+		                  ? bestLook(plan.map, plan.field, frontier, config.plan)
+		                  : nearestPlace(plan.map, plan.field, frontier, config.plan);
 		if (!target || wasTried(mission, *target)) continue;
 		target->pocket_m2 = pockets.besideThose(plan.map, frontier.cells);
 		targets.push_back(*target);

@@ -13,7 +13,7 @@ struct PlanConfig
 	double squeeze_m = 0.02;                ///< ways keep at least the body's radius plus this from what stands there
 	double comfort_m = 0.45;                ///< from the body's centre: ways that keep this far away cost nothing extra
 	double clearance_cost = 2;              ///< a way as near as it may be costs so much more a metre
-	double view_range_m = 4.8;              ///< a look is held to show unknown space up to here
+	double view_range_m = 4.0;              ///< a look is held to show unknown space up to here
 	double view_angle_rad = 0.9948376736;   ///< 57°: the camera's field of view
 	double view_height_rad = 0.7853981634;  ///< 45°: in height
 	double view_depth_m = 1.0;              ///< a look is held to show so much of unknown space along each ray
