@@ -86,8 +86,8 @@ bool leaveOutWhatIsNotWorthIt(const PickInput& input, TourCosts& costs, std::vec
 	}
 	const std::vector<std::size_t> kept = placesWorthTheWay(costs, worth_m);
 	costs = costsOfSome(costs, kept);
-	std::vector<std::size_t> kept_places;
-	for (const std::size_t i : kept) kept_places.push_back(places[i]);
+	std::vector<std::size_t> kept_places(kept.size());
+	std::transform(kept.begin(), kept.end(), kept_places.begin(), [&](std::size_t i) { return places[i]; });
 	places = std::move(kept_places);
 	return !places.empty();
 }

@@ -75,8 +75,8 @@ TourCosts costsOfSome(const TourCosts& costs, const std::vector<std::size_t>& pl
 {
 	const auto some = [&](const std::vector<double>& of_all)
 	{
-		std::vector<double> of_some;
-		for (const std::size_t place : places) of_some.push_back(of_all[place]);
+		std::vector<double> of_some(places.size());
+		std::transform(places.begin(), places.end(), of_some.begin(), [&](std::size_t place) { return of_all[place]; });
 		return of_some;
 	};
 	TourCosts part{some(costs.from_robot), {}, some(costs.to_home), costs.home_from_robot};
