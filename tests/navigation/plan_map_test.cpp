@@ -240,6 +240,23 @@ TEST(PlanMap, SpotsWhereTheRobotWasStoppedAreBlocked)
 	EXPECT_EQ(std::count(map.blocked.begin(), map.blocked.end(), 1), 49);
 }
 
+TEST(PlanMap, WhereItWasStoppedAgainAndAgainNoWayLeadsForNow)
+{
+	const test::DrawnMap hall(std::vector<std::string>(60, std::string(60, '.')));
+	const Eigen::Vector3d robot(0.7, 0.7, 0), spot(1.5, 1.5, 0), near(1.7, 1.5, 0), far(1.5, 2.3, 0);
+	const auto passes = [&](const std::vector<Eigen::Vector3d>& stops, const Eigen::Vector3d& at)
+	{
+		const PlanMap map = planOf(hall, robot, {}, {}, stops);
+		return map.passable[map.cellOf(at)] != 0;
+	};
+	EXPECT_TRUE(passes({}, spot));
+	EXPECT_TRUE(passes({spot, near}, spot)) << "twice: only dear";
+	EXPECT_TRUE(passes({spot, near, far}, spot)) << "the third was elsewhere";
+	EXPECT_FALSE(passes({spot, near, spot}, spot));
+	EXPECT_FALSE(passes({spot, near, spot}, spot + Eigen::Vector3d(0.25, -0.25, 0)));
+	EXPECT_TRUE(passes({spot, near, spot}, spot - Eigen::Vector3d(0.4, 0, 0)));
+}
+
 TEST(PlanMap, WhereTheRobotHasBeenItFitsAlthoughThingsSeemNearerSince)
 {
 	// A passage of 0.4 m in which each wall seems half a cell too near for a robot of 0.18 m and its margin.

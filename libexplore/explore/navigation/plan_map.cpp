@@ -11,6 +11,9 @@ namespace
 {
 /** Half the edge of a blocked spot. */
 constexpr double kBlocked_m = 0.15;
+/** Stopped so often within that distance the robot cannot pass: half the edge of what is barred then. */
+constexpr std::ptrdiff_t kBarredAfter = 3;
+constexpr double kSameSpot_m = 0.6, kBarred_m = 0.3;
 /** Half the width of the robot's trail, and the share of its radius that must be free around it still. */
 constexpr double kTrail_m = 0.05, kTrailFit = 0.75;
 
@@ -86,6 +89,22 @@ void markTrail(PlanMap& map, const std::vector<Eigen::Vector3d>& trail_in_map, d
 			              if (fits && map.allowed[cell] != 0 && map.cells[cell] == CellState::free)
 				              map.passable[cell] = 1;
 		              });
+}
+
+/** Where the robot was stopped a way is dear; where it was stopped again and again there is none for now: whoever
+ *  stands there waits for the robot to go. */
+void markBlocked(PlanMap& map, const std::vector<Eigen::Vector3d>& spots_in_map)
+{
+	map.blocked.assign(map.cells.size(), 0);
+	for (const Eigen::Vector3d& spot : spots_in_map)
+	{
+		forEachAround(map, map.cellOf(spot), kBlocked_m, [&](CellIndex cell) { map.blocked[cell] = 1; });
+		const auto times =
+		    std::count_if(spots_in_map.begin(), spots_in_map.end(),
+		                  [&](const Eigen::Vector3d& other) { return (other - spot).norm() < kSameSpot_m; });
+		if (times >= kBarredAfter)
+			forEachAround(map, map.cellOf(spot), kBarred_m, [&](CellIndex cell) { map.passable[cell] = 0; });
+	}
 }
 
 /** The cells that are joined to any of `starts` by cells that `is` holds of, themselves included. */
@@ -202,9 +221,7 @@ PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConf
 		    map.allowed[i] != 0 && map.cells[i] == CellState::free && map.obstacle_m[i] >= squeeze_m && known ? 1 : 0;
 	}
 	markTrail(map, input.trail_in_map, robot.radius_m);
-	map.blocked.assign(map.cells.size(), 0);
-	for (const Eigen::Vector3d& spot : input.blocked_in_map)
-		forEachAround(map, map.cellOf(spot), kBlocked_m, [&](CellIndex cell) { map.blocked[cell] = 1; });
+	markBlocked(map, input.blocked_in_map);
 	markWanted(map, input, robot.radius_m);
 	return map;
 }

@@ -73,7 +73,7 @@ struct PlanInput
 	const AllowedArea& area;
 	Eigen::Vector3d robot_in_map = Eigen::Vector3d::Zero();  ///< what it might reach begins there
 	std::vector<Eigen::Vector3d> trail_in_map;               ///< places where it has been: it fits there
-	std::vector<Eigen::Vector3d> blocked_in_map;             ///< spots where it was stopped
+	std::vector<Eigen::Vector3d> blocked_in_map;             ///< spots where it was stopped, each as often as it was
 };
 PlanMap planMap(const PlanInput& input, const RobotConfig& robot, const PlanConfig& config);
 

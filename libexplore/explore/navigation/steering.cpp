@@ -18,7 +18,8 @@ constexpr double kTurnFrom_rad = 0.6, kTurnUntil_rad = 0.15;
 constexpr double kTurnTime_s = 0.5;
 /** Blocked for so long, it backs off so far, so fast; the spot ahead is avoided for a while. */
 constexpr double kWait_s = 2.0, kBackOff_m = 0.25, kBackOff_mps = 0.15, kAvoidSpot_s = 20.0;
-/** Each time that it is blocked near such a spot it backs off twice as far, but so often at most. */
+/** Each time that it is blocked near such a spot it backs off twice as far, but so often at most, and keeps off longer.
+ */
 constexpr double kSameSpot_m = 0.6;
 constexpr std::ptrdiff_t kMostDoublings = 2;
 /** A robot that drives gets this far within its patience. */
@@ -53,7 +54,8 @@ std::ptrdiff_t blockAhead(Mission& mission, const MissionNow& now)
 	const auto times =
 	    std::count_if(mission.blocked.begin(), mission.blocked.end(),
 	                  [&](const BlockedSpot& spot) { return (spot.at_in_map - ahead).norm() < kSameSpot_m; });
-	mission.blocked.push_back({ahead, now.t_s + kAvoidSpot_s});
+	mission.blocked.push_back(
+	    {ahead, now.t_s + kAvoidSpot_s * static_cast<double>(1 + std::min(times, kMostDoublings))});
 	mission.planned_at_s = 0.0;
 	return times;
 }
