@@ -125,7 +125,9 @@ TEST_F(ToldMission, AGoalStaysWhileNothingSpeaksAgainstItAndIsLostWhenTheMapShow
 		EXPECT_EQ(m_mission.goal->yaw_rad, yaw_rad);
 		EXPECT_FALSE(m_mission.goal_lost);
 	}
-	test::change(m_memory, roomWith('.'), roomWith('#'));
+	test::DrawnMap all = roomWith('.');
+	for (int row = 1; row < 12; ++row) all.set(15, row, '#');
+	test::change(m_memory, roomWith('.'), all);
 	at(m_home + Eigen::Vector3d(0.3, 0, 0), 0.0);
 	EXPECT_TRUE(m_mission.goal_lost);
 	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
@@ -241,7 +243,7 @@ TEST_F(ToldMission, ARobotThatFindsNoWayOnLooksAllAroundAndSaysSo)
 	int looks = 0;
 	for (; m_mission.phase == MissionPhase::explore && looks < 50; ++looks)
 	{
-		ASSERT_TRUE(m_mission.goal->looks_around);
+		ASSERT_EQ(m_mission.goal->purpose, LookPurpose::way_out);
 		EXPECT_LT((m_mission.goal->stand_in_map - place).head<2>().norm(), 0.1);
 		directions.insert(static_cast<int>(std::lround(m_mission.goal->yaw_rad / 0.5)));
 		at(place, m_mission.goal->yaw_rad);
@@ -263,7 +265,7 @@ TEST_F(ToldMission, ARobotThatIsCutOffFromHomeDoesNotSayThatNothingIsLeft)
 	test::change(m_memory, roomWith('#'), divided);
 	at(m_robot, 0.0);
 	ASSERT_EQ(m_mission.phase, MissionPhase::explore);
-	EXPECT_TRUE(m_mission.goal->looks_around);
+	EXPECT_EQ(m_mission.goal->purpose, LookPurpose::way_out);
 	for (int looks = 0; m_mission.phase == MissionPhase::explore && looks < 50; ++looks)
 		at(m_robot, m_mission.goal->yaw_rad);
 	EXPECT_EQ(m_mission.end, MissionEnd::cut_off);
@@ -302,13 +304,95 @@ TEST_F(ToldMission, ARobotThatDoesNotMoveAtAllLooksAroundBeforeItTriesAgain)
 	test::change(m_memory, roomWith('#'), roomWith('.'));
 	at(m_home, 3.0);
 	ASSERT_TRUE(m_mission.goal);
-	EXPECT_FALSE(m_mission.goal->looks_around);
+	EXPECT_NE(m_mission.goal->purpose, LookPurpose::way_out);
 	waitInVainAt(m_home, 3.0);
 	ASSERT_TRUE(m_mission.goal);
-	EXPECT_TRUE(m_mission.goal->looks_around);
+	EXPECT_EQ(m_mission.goal->purpose, LookPurpose::way_out);
 	at(m_home + Eigen::Vector3d(0.3, 0, 0), 0.0);
 	ASSERT_TRUE(m_mission.goal);
-	EXPECT_FALSE(m_mission.goal->looks_around) << "it can move";
+	EXPECT_NE(m_mission.goal->purpose, LookPurpose::way_out) << "it can move";
+}
+
+/** A room and a hall behind its exit, which is open ('.') or not; the hall goes on to the right. */
+test::DrawnMap roomAndHall(char exit)
+{
+	std::vector<std::string> rows{
+	    "????????????????????????????", "###############?????????????", "#.............##############",
+	    "#.............#.......??????", "#.............#.......??????", "#.............d.......??????",
+	    "#..h..........d.......??????", "#.............d.......??????", "#.............d.......??????",
+	    "#.............d.......??????", "#.............##############", "###############?????????????",
+	    "????????????????????????????"};
+	for (std::string& row : rows) std::ranges::replace(row, 'd', exit);
+	return test::DrawnMap(rows, 0.2);
+}
+
+class MissionBeforeADoor : public ToldMission
+{
+protected:
+	MissionBeforeADoor() { m_memory = test::memoryOf(roomAndHall('.')); }
+	/** It has set out for the hall when someone steps into the door. Stands then where the mission wants it. */
+	void loseTheHall()
+	{
+		at(m_home, 0.0);
+		ASSERT_TRUE(m_mission.goal);
+		ASSERT_GT(m_mission.goal->frontier_in_map.x(), m_door.x() + 0.5);
+		test::change(m_memory, roomAndHall('.'), roomAndHall('#'));
+		at(m_home, 0.0);
+		ASSERT_EQ(m_mission.phase, MissionPhase::explore) << "who stands there may walk on";
+		ASSERT_EQ(m_mission.goal->purpose, LookPurpose::barred_way);
+		m_stand = m_mission.goal->stand_in_map;
+		at(m_stand, m_mission.goal->yaw_rad);
+	}
+
+	const Eigen::Vector3d m_door = roomAndHall('.').middleOf(14, 7);
+	Eigen::Vector3d m_stand = Eigen::Vector3d::Zero();
+};
+
+TEST_F(MissionBeforeADoor, WatchesFromTheWayWhatHasComeIntoIt)
+{
+	loseTheHall();
+	const Eigen::Vector3d ahead = m_door - m_stand;
+	EXPECT_GT(ahead.x(), 0.8) << "nearer the camera measures nothing";
+	EXPECT_LT(ahead.norm(), 2.0);
+	EXPECT_NEAR(m_mission.goal->yaw_rad, std::atan2(ahead.y(), ahead.x()), 0.5);
+}
+
+TEST_F(MissionBeforeADoor, GoesOnWhenTheWayIsFreeAgain)
+{
+	loseTheHall();
+	for (int second = 0; second < 5; ++second) at(m_stand, m_mission.goal->yaw_rad);
+	ASSERT_EQ(m_mission.goal->purpose, LookPurpose::barred_way);
+	test::change(m_memory, roomAndHall('#'), roomAndHall('.'));
+	at(m_stand, 0.0);
+	ASSERT_EQ(m_mission.phase, MissionPhase::explore);
+	EXPECT_EQ(m_mission.goal->purpose, LookPurpose::frontier);
+	EXPECT_GT(m_mission.goal->frontier_in_map.x(), m_door.x() + 0.5);
+}
+
+TEST_F(MissionBeforeADoor, DoesNotWaitForEver)
+{
+	loseTheHall();
+	int seconds = 0;
+	for (; m_mission.phase == MissionPhase::explore && seconds < 100; ++seconds) at(m_stand, m_mission.goal->yaw_rad);
+	EXPECT_GE(seconds, 15);
+	EXPECT_LE(seconds, 30);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
+	ASSERT_EQ(m_mission.left_over.size(), 1U);
+	EXPECT_EQ(m_mission.left_over.front().why, LeftOverReason::out_of_reach);
+	at(m_home + Eigen::Vector3d(1, 0, 0), 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
+}
+
+TEST_F(MissionBeforeADoor, WhatIsSeenFromElsewhereIsNotWaitedFor)
+{
+	at(m_home, 0.0);
+	test::DrawnMap all = roomAndHall('.'), all_but_the_door = roomAndHall('#');
+	for (int row = 3; row < 10; ++row)
+		for (int column = 22; column < 28; ++column)
+			for (test::DrawnMap* map : {&all, &all_but_the_door}) map->set(column, row, '#');
+	test::change(m_memory, roomAndHall('.'), all_but_the_door);
+	at(m_home, 0.0);
+	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
 }
 
 TEST(MissionEndName, IsWhatTheSummarySays)

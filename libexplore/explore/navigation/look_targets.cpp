@@ -174,7 +174,7 @@ std::vector<LookTarget> looksAround(const PlanMap& map, const TravelField& field
 		target.stand_in_map = map.middleOf(field.start);
 		target.frontier_in_map = target.stand_in_map + Eigen::Vector3d(std::cos(yaw_rad), std::sin(yaw_rad), 0.0);
 		target.gain_m2 = config.min_gain_m2;
-		target.looks_around = true;
+		target.purpose = LookPurpose::way_out;
 		looks.push_back(target);
 	}
 	return looks;

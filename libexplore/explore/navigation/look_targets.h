@@ -15,7 +15,15 @@ namespace explore
 /** Frontiers nearer to each other than this are one goal. */
 inline constexpr double kSameGoal_m = 0.6;
 
-/** A frontier that is worth going to. */
+/** What a look is to show. */
+enum class LookPurpose
+{
+	frontier,
+	way_out,     ///< for a robot that is cut off
+	barred_way,  ///< whether what bars the way to a frontier is still there
+};
+
+/** A place that is worth going to. */
 struct LookTarget
 {
 	Look look;                                                  ///< where to stand and how to turn
@@ -24,7 +32,7 @@ struct LookTarget
 	double gain_m2 = 0;
 	double travel_m = 0;                                         ///< from the robot, as TravelField has it
 	double pocket_m2 = std::numeric_limits<double>::infinity();  ///< of unknown space there: no more can come of it
-	bool looks_around = false;
+	LookPurpose purpose = LookPurpose::frontier;
 	bool left_lately = false;  ///< as a goal
 };
 

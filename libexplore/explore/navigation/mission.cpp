@@ -1,4 +1,5 @@
 #include <explore/core/geometry.h>
+#include <explore/navigation/barred_ways.h>
 #include <explore/navigation/goal_pick.h>
 #include <explore/navigation/mission.h>
 #include <explore/navigation/mission_goal.h>
@@ -26,6 +27,8 @@ Eigen::Vector3d placeIn(const Eigen::Isometry3d& map_from_robot)
 constexpr double kArrive_rad = 0.14;
 /** Without a frame for longer the robot is told to stand, and no goal is blamed for the time that this lasts. */
 constexpr double kSilence_s = 1.0;
+/** How long the robot waits for a barred way to become free. */
+constexpr double kWait_s = 10.0;
 /** Between the places of the trail. */
 constexpr double kTrail_m = 0.1;
 
@@ -50,14 +53,29 @@ bool isReached(const MissionGoal& goal, const MissionNow& now, const PlanConfig&
 	return away_m <= (home ? config.home_m : config.arrive_m) && (home || turn_rad <= kArrive_rad);
 }
 
+/** Reached, and waited for what it is to show. */
+bool isDone(MissionGoal& goal, const MissionNow& now, const PlanConfig& config)
+{
+	if (!isReached(goal, now, config)) return false;
+	if (goal.purpose != LookPurpose::barred_way) return true;
+	if (!goal.waits_since_s) goal.waits_since_s = now.t_s;
+	return now.t_s - *goal.waits_since_s >= kWait_s;
+}
+
 /** Whether the goal still shows something, and a way leads there. */
 bool isWorthKeeping(const MissionGoal& goal, const MissionPlan& plan, const PlanConfig& config)
 {
-	if (goal.looks_around) return plan.cut_off;
+	if (goal.purpose == LookPurpose::way_out) return plan.cut_off;
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
 	const bool stands_there = cell == plan.field.start;
 	if (!plan.field.reaches(cell) || (plan.map.passable[cell] == 0 && !stands_there)) return false;
+	if (goal.purpose == LookPurpose::barred_way) return !plan.field.reaches(plan.map.cellOf(goal.frontier_in_map));
 	return lookGain(plan.map, {cell, goal.yaw_rad}, config) >= config.min_gain_m2;
+}
+
+bool waitsForAWay(const LookTarget& target)
+{
+	return target.purpose == LookPurpose::barred_way;
 }
 
 /** Takes leave of the goal, which is `done` when it was reached or has nothing to show any more. */
@@ -74,7 +92,10 @@ void leave(Mission& mission, double now_s, bool done)
 bool chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
                   const RobotConfig& robot, const MissionConfig& config)
 {
-	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
+	const bool waits = std::any_of(plan.targets.begin(), plan.targets.end(), waitsForAWay);
+	const bool looking = mission.goal && mission.goal->kind != GoalKind::home &&
+	                     waits == (mission.goal->purpose == LookPurpose::barred_way);
+	if (plan.targets.empty() && !looking) return false;
 	if (mission.goal || mission.undone)
 		for (LookTarget& target : plan.targets) target.left_lately = wasLeftLately(mission, target, now.t_s);
 	PickInput input{plan.map, plan.field, plan.targets, yawIn(now.map_from_robot), plan.home, std::nullopt};
@@ -98,6 +119,15 @@ bool chooseTarget(Mission& mission, MissionPlan& plan, const FrontierMemory& mem
 	mission.goal = goalFor(plan.targets[*pick], plan, memory, now.t_s, robot);
 	mission.goal->chosen_at_m = mission.path_m;
 	return true;
+}
+
+/** Waits for barred ways only when nothing else is left. */
+bool chooseGoal(Mission& mission, MissionPlan& plan, const FrontierMemory& memory, const MissionNow& now,
+                const RobotConfig& robot, const MissionConfig& config)
+{
+	if (chooseTarget(mission, plan, memory, now, robot, config)) return true;
+	plan.targets = looksAtWhatBars(mission, plan, memory, config.plan);
+	return chooseTarget(mission, plan, memory, now, robot, config);
 }
 
 /** Why the robot has to go home now although there is more to see. */
@@ -134,6 +164,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	std::erase_if(mission.blocked, [&](const BlockedSpot& spot) { return spot.until_s < now.t_s; });
 	MissionPlan plan = planNow(mission, memory, now, robot, config);
 	mission.open_frontiers = plan.targets.size();
+	rememberWays(mission.open_ways, plan, memory);
 	if (mission.goal && mission.goal->kind != GoalKind::home && !isWorthKeeping(*mission.goal, plan, config.plan))
 	{
 		// What comes and goes while the robot stands there would be looked at for ever.
@@ -144,10 +175,9 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	}
 
 	const MissionEnd spent = budgetSpent(mission, plan, now, robot, config);
-	const bool looking = mission.goal && mission.goal->kind != GoalKind::home;
 	if (spent != MissionEnd::none)
 		goHome(mission, spent, plan, now, robot);
-	else if ((plan.targets.empty() && !looking) || !chooseTarget(mission, plan, memory, now, robot, config))
+	else if (!chooseGoal(mission, plan, memory, now, robot, config))
 		goHome(mission, plan.cut_off ? MissionEnd::cut_off : MissionEnd::nothing_left, plan, now, robot);
 	if (mission.phase == MissionPhase::go_home)
 		mission.left_over =
@@ -190,7 +220,7 @@ void pursue(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	mission.goal_lost = false;
 	if (mission.phase == MissionPhase::done) return;
 	bool plans = now.t_s - mission.planned_at_s >= config.plan.period_s || !mission.goal;
-	const bool reached = mission.goal && isReached(*mission.goal, now, config.plan);
+	const bool reached = mission.goal && isDone(*mission.goal, now, config.plan);
 	if (reached || (mission.goal && now.t_s - mission.goal->chosen_at_s > mission.goal->patience_s))
 	{
 		if (mission.goal->kind == GoalKind::home)

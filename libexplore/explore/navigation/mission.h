@@ -42,10 +42,11 @@ struct MissionGoal
 	double yaw_rad = 0;                                         ///< in the map
 	double gain_m2 = 0;                                         ///< unknown space that it is held to show
 	double pocket_m2 = 0;                                       ///< LookTarget::pocket_m2
-	bool looks_around = false;                                  ///< for a way out, being cut off
-	bool reachable = true;                                      ///< false: home, to which no way leads at present
-	double chosen_at_s = 0, patience_s = 0;                     ///< when, and how long it may take
-	double chosen_at_m = 0;                                     ///< of the path
+	LookPurpose purpose = LookPurpose::frontier;
+	bool reachable = true;                   ///< false: home, to which no way leads at present
+	double chosen_at_s = 0, patience_s = 0;  ///< when, and how long it may take
+	double chosen_at_m = 0;                  ///< of the path
+	std::optional<double> waits_since_s;     ///< there, for a barred way to become free
 };
 
 /** A goal that was given up for another, and when: the robot does not turn back to it soon. */
@@ -61,6 +62,13 @@ struct TriedFrontier
 	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();
 	double gain_m2 = 0;
 	int tries = 0;
+};
+
+/** A frontier that could be got at, and places on the way to it, from the robot on. */
+struct OpenWay
+{
+	Eigen::Vector3d frontier_in_map = Eigen::Vector3d::Zero();
+	std::vector<Eigen::Vector3d> places_in_map;
 };
 
 /** A spot where the avoider found no way although the plan had one: plans keep off it for a while. */
@@ -90,6 +98,7 @@ struct Mission
 	bool undone = false;                      ///< the last of them
 	std::vector<TriedFrontier> tried;
 	std::vector<BlockedSpot> blocked;
+	std::vector<OpenWay> open_ways;
 	std::vector<LeftOver> left_over;  ///< of the last plan that found nothing to do
 	std::size_t open_frontiers = 0;   ///< that the last plan would have gone to
 };

@@ -21,7 +21,7 @@ MissionGoal goalFor(const LookTarget& target, const MissionPlan& plan, const Fro
 	goal.yaw_rad = target.look.yaw_rad;
 	goal.gain_m2 = target.gain_m2;
 	goal.pocket_m2 = target.pocket_m2;
-	goal.looks_around = target.looks_around;
+	goal.purpose = target.purpose;
 	goal.chosen_at_s = now_s;
 	goal.patience_s = kPatience_s + kPatience * target.travel_m / robot.max_speed_mps;
 	const GoalName name = nameOf(target, plan.field.wayTo(target.look.cell), plan.map, memory, robot);

@@ -1,4 +1,5 @@
 #include <explore/core/geometry.h>
+#include <explore/navigation/barred_ways.h>
 #include <explore/navigation/mission_plan.h>
 #include <explore/navigation/pockets.h>
 
@@ -14,24 +15,26 @@ constexpr int kMaxTries = 2;
 constexpr double kSameGain = 1.3;
 /** A robot that gets no farther than this is boxed in. */
 constexpr double kStep_m = 0.7;
-/** What bars the way is looked at from here: nearer the camera measures nothing. */
-constexpr double kWatch_m = 1.0;
 
-bool wasTried(const Mission& mission, const LookTarget& target)
+/** Whether it was tried at least so often, when it held more than so much. */
+bool wasTried(const Mission& mission, const Eigen::Vector3d& frontier_in_map, int tries, double gain_m2)
 {
 	return std::any_of(mission.tried.begin(), mission.tried.end(),
 	                   [&](const TriedFrontier& tried)
 	                   {
-		                   const bool same = (tried.frontier_in_map - target.frontier_in_map).norm() < kSameGoal_m;
-		                   return same && tried.tries >= kMaxTries && target.gain_m2 < kSameGain * tried.gain_m2;
+		                   const bool same = (tried.frontier_in_map - frontier_in_map).norm() < kSameGoal_m;
+		                   return same && tried.tries >= tries && tried.gain_m2 > gain_m2;
 	                   });
+}
+
+bool wasTriedInVain(const Mission& mission, const LookTarget& target)
+{
+	return wasTried(mission, target.frontier_in_map, kMaxTries, target.gain_m2 / kSameGain);
 }
 
 bool wasLookedAt(const Mission& mission, const WantedFrontier& frontier)
 {
-	return std::any_of(mission.tried.begin(), mission.tried.end(),
-	                   [&](const TriedFrontier& tried)
-	                   { return (tried.frontier_in_map - frontier.middle_in_map).norm() < kSameGoal_m; });
+	return wasTried(mission, frontier.middle_in_map, 1, 0.0);
 }
 
 /** Finds the plan's frontiers and looks. */
@@ -46,7 +49,7 @@ void findTargets(MissionPlan& plan, const FrontierMemory& memory, const Mission&
 		auto target = looks && !wasLookedAt(mission, frontier)
 		                  ? bestLook(plan.map, plan.field, frontier, config.plan)
 		                  : nearestPlace(plan.map, plan.field, frontier, config.plan);
-		if (!target || wasTried(mission, *target)) continue;
+		if (!target || wasTriedInVain(mission, *target)) continue;
 		target->pocket_m2 = pockets.besideThose(plan.map, frontier.cells);
 		targets.push_back(*target);
 		plan.frontiers_in_map.push_back(frontier.middle_in_map);
@@ -80,6 +83,11 @@ bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_
 	                   });
 }
 
+bool isGivenUp(const Mission& mission, const Eigen::Vector3d& frontier_in_map)
+{
+	return wasTried(mission, frontier_in_map, kMaxTries, 0.0);
+}
+
 MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const MissionNow& now,
                     const RobotConfig& robot, const MissionConfig& config)
 {
@@ -96,7 +104,7 @@ MissionPlan planNow(const Mission& mission, const FrontierMemory& memory, const 
 	if (mission.held || (plan.cut_off && plan.targets.empty()))
 	{
 		std::vector<LookTarget> around = looksAround(plan.map, plan.field, config.plan);
-		std::erase_if(around, [&](const LookTarget& target) { return wasTried(mission, target); });
+		std::erase_if(around, [&](const LookTarget& target) { return wasTriedInVain(mission, target); });
 		if (!around.empty()) plan.targets = std::move(around);
 	}
 	return plan;
@@ -117,10 +125,9 @@ HomePlace homePlace(const Mission& mission, const MissionPlan& plan)
 	    std::find_if_not(trail.rbegin(), trail.rend(),
 	                     [&](const Eigen::Vector3d& place) { return plan.field.reaches(plan.map.cellOf(place)); });
 	const Eigen::Vector3d watched = blocked == trail.rend() ? trail.front() : *blocked;
-	const auto stand = std::find_if(blocked.base(), trail.end(),
-	                                [&](const Eigen::Vector3d& place) { return (place - watched).norm() >= kWatch_m; });
+	const std::vector<Eigen::Vector3d> open(blocked.base(), trail.end());
 	HomePlace place;
-	place.stand_in_map = stand == trail.end() ? trail.back() : *stand;
+	place.stand_in_map = open.empty() ? trail.back() : placeToWatchFrom(open, watched);
 	place.yaw_rad = azimuthOf(watched - place.stand_in_map);
 	return place;
 }
@@ -129,6 +136,6 @@ LookTarget asTarget(const MissionGoal& goal, const MissionPlan& plan)
 {
 	const CellIndex cell = plan.map.cellOf(goal.stand_in_map);
 	return {{cell, goal.yaw_rad},    goal.stand_in_map, goal.frontier_in_map, goal.gain_m2,
-	        plan.field.costTo(cell), goal.pocket_m2,    goal.looks_around,    false};
+	        plan.field.costTo(cell), goal.pocket_m2,    goal.purpose,         false};
 }
 }  // namespace explore

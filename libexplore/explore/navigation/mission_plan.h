@@ -11,6 +11,9 @@ namespace explore
 inline constexpr double kLeft_s = 20.0;
 [[nodiscard]] bool wasLeftLately(const Mission& mission, const LookTarget& target, double now_s);
 
+/** Whether a frontier, or what bars the way to one, was looked at as often as it is. */
+[[nodiscard]] bool isGivenUp(const Mission& mission, const Eigen::Vector3d& frontier_in_map);
+
 /** All that a decision is made from. */
 struct MissionPlan
 {
