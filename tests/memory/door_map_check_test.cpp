@@ -91,6 +91,18 @@ TEST(DoorMapCheck, WhatLeavesRoomEnoughDoesNot)
 	EXPECT_EQ(objection({kLeftWall, kRightWall, post}), Verdict::blocked) << "0.4 m on either side";
 }
 
+TEST(DoorMapCheck, StrayVoxelsDoNotBlockItButAThinPostDoes)
+{
+	// Pixels on the edge of a jamb: a voxel here and there, slantwise through the opening.
+	const OccupancyQuery stray = [](const Eigen::Vector3d& point)
+	{
+		const bool on_line = std::abs(point.x() - 0.5 * point.y()) < 0.03;
+		return on_line && std::abs(point.z() - 0.4) < 0.03 ? VoxelState::occupied : VoxelState::free;
+	};
+	EXPECT_FALSE(objectionTo(kPlace, 0.95, stray, {}, {}));
+	EXPECT_EQ(objection({kLeftWall, kRightWall, {0.0, 0.05, -0.03, 0.03}}), Verdict::blocked);
+}
+
 TEST(DoorMapCheck, WhatIsHigherThanTheRobotIsNotInItsWay)
 {
 	const auto high = [](const Eigen::Vector3d& point)

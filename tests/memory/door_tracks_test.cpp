@@ -278,6 +278,25 @@ TEST(DoorTracks, TheMapObjectsToAMirror)
 	}
 }
 
+TEST(DoorTracks, WhatTheMapObjectedToIsPassableAgainWhenItIsGone)
+{
+	bool someone_there = true;
+	Scout scout;
+	const auto step_with = [&](const std::vector<Door>& reports)
+	{
+		scout.t_s += 0.5;
+		DoorLook look = lookAt(reports, scout.where(), scout.t_s);
+		look.occupancy = [&](const Eigen::Vector3d&)
+		{ return someone_there ? VoxelState::occupied : VoxelState::free; };
+		update(scout.tracks, look, kRobot, kConfig);
+	};
+	for (int i = 0; i < 5; ++i, ++scout.step) step_with({reportOf(kDoor, scout.where())});
+	ASSERT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::blocked);
+	someone_there = false;
+	step_with({});  // no look at the door itself
+	EXPECT_EQ(verdictOf(scout.tracks.tracks.at(0)), Verdict::open);
+}
+
 TEST(DoorTracks, AnOpeningInAWallWithoutThicknessIsAMirrorUntilTheRobotWentThrough)
 {
 	Scout scout;

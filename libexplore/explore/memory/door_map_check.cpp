@@ -11,7 +11,9 @@ namespace
 {
 constexpr double kPassage_m = 0.3;      // in front of the wall's middle and behind it
 constexpr double kAboveFloor_m = 0.15;  // above thresholds and the floor's own voxels
-constexpr double kShift_m = 0.3;        // of a mirror that is not one
+/** Pixels on the edge of a jamb lie anywhere between it and what is behind: so few occupied places are no obstacle. */
+constexpr int kStray = 3;
+constexpr double kShift_m = 0.3;  // of a mirror that is not one
 constexpr std::array<double, 5> kMirrorHeights_m{0.3, 0.6, 0.9, 1.2, 1.5};
 constexpr double kMirrorBeside_m = 0.5;  // beyond the jambs: what a mirror shows at an angle
 
@@ -31,32 +33,33 @@ BodyRoom roomOf(const DoorPlace& place, const RobotConfig& robot)
 	        std::min(robot.max_altitude_m + half_m, place.height_m.value_or(kUsualDoorHeight_m)), robot.height_m};
 }
 
-/** Whether nothing occupied is at that place of the opening, from before the wall to behind it. */
-bool isFreeAcross(const Eigen::Vector3d& point_in_map, const Eigen::Vector2d& normal, const OccupancyQuery& occupancy,
-                  double step_m)
+/** How many places from before the wall to behind it are occupied, at that place of the opening. */
+int occupiedAcross(const Eigen::Vector3d& point_in_map, const Eigen::Vector2d& normal, const OccupancyQuery& occupancy,
+                   double step_m)
 {
+	int occupied = 0;
 	for (double across_m = -kPassage_m; across_m <= kPassage_m; across_m += step_m)
 	{
 		Eigen::Vector3d point = point_in_map;
 		point.head<2>() += across_m * normal;
-		if (occupancy(point) == VoxelState::occupied) return false;
+		occupied += occupancy(point) == VoxelState::occupied ? 1 : 0;
 	}
-	return true;
+	return occupied;
 }
 
-/** The most columns side by side of which each is free in all of `levels` neighbouring levels. */
-int widestRun(const std::vector<std::vector<bool>>& free_at_level, std::size_t levels)
+/** The most columns side by side each of which is free over `levels` neighbouring levels. */
+int widestRun(const std::vector<std::vector<int>>& occupied_at_level, std::size_t levels)
 {
 	int widest = 0;
-	for (std::size_t first = 0; first + levels <= free_at_level.size(); ++first)
+	for (std::size_t first = 0; first + levels <= occupied_at_level.size(); ++first)
 	{
 		int run = 0;
-		for (std::size_t column = 0; column < free_at_level[first].size(); ++column)
+		for (std::size_t column = 0; column < occupied_at_level[first].size(); ++column)
 		{
-			bool is_free = true;
-			for (std::size_t level = first; is_free && level < first + levels; ++level)
-				is_free = free_at_level[level][column];
-			run = is_free ? run + 1 : 0;
+			int occupied = 0;
+			for (std::size_t level = first; level < first + levels; ++level)
+				occupied += occupied_at_level[level][column];
+			run = occupied <= kStray ? run + 1 : 0;
 			widest = std::max(widest, run);
 		}
 	}
@@ -109,19 +112,19 @@ double mappedClearWidth(const DoorPlace& place, const OccupancyQuery& occupancy,
 	const double column_m = place.width_m / static_cast<double>(columns);
 	const BodyRoom room = roomOf(place, robot);
 	if (room.highest_m - room.lowest_m < room.body_m) return 0;
-	std::vector<std::vector<bool>> free_at_level;
+	std::vector<std::vector<int>> occupied_at_level;
 	for (double height_m = room.lowest_m; height_m < room.highest_m; height_m += config.step_m)
 	{
-		std::vector<bool>& free = free_at_level.emplace_back(columns);
+		std::vector<int>& occupied = occupied_at_level.emplace_back(columns);
 		for (std::size_t column = 0; column < columns; ++column)
 		{
 			const double along_m = (static_cast<double>(column) + 0.5) * column_m - 0.5 * place.width_m;
-			free[column] = isFreeAcross(place.point(along_m, height_m), place.normal(), occupancy, config.step_m);
+			occupied[column] = occupiedAcross(place.point(along_m, height_m), place.normal(), occupancy, config.step_m);
 		}
 	}
-	if (free_at_level.empty()) return place.width_m;
+	if (occupied_at_level.empty()) return place.width_m;
 	const auto levels = static_cast<std::size_t>(std::ceil(room.body_m / config.step_m));
-	return widestRun(free_at_level, std::min(levels, free_at_level.size())) * column_m;
+	return widestRun(occupied_at_level, std::min(levels, occupied_at_level.size())) * column_m;
 }
 
 MirrorImage mirrorImageOf(const DoorPlace& place, const OccupancyQuery& occupancy, const MapCheckConfig& config)

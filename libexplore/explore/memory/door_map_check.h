@@ -25,10 +25,10 @@ struct MapCheckConfig
 /** Field list of the above; without a section of its own. */
 void describe(FieldVisitor& fields, MapCheckConfig& config);
 
-/** The widest stretch [m] of the opening through which the map holds nothing occupied, from 0.3 m in front of the
- * wall's middle to 0.3 m behind it: for a robot on the ground between the heights of its body that are not its wheels,
- * for one that flies at the best altitude of its flight band below the lintel. Unknown counts as free: what was never
- * seen is no objection. 0 where a robot that flies has no room under the lintel. */
+/** The widest stretch [m] of the opening through which the map holds nothing but stray voxels, from 0.3 m in front of
+ * the wall's middle to 0.3 m behind it: for a robot on the ground between the heights of its body that are not its
+ * wheels, for one that flies at the best altitude of its flight band below the lintel. Unknown counts as free: what was
+ * never seen is no objection. 0 where a robot that flies has no room under the lintel. */
 double mappedClearWidth(const DoorPlace& place, const OccupancyQuery& occupancy, const RobotConfig& robot,
                         const MapCheckConfig& config);
 

@@ -1,3 +1,4 @@
+#include <explore/memory/door_objections.h>
 #include <explore/memory/door_tracks.h>
 #include <explore/memory/door_upkeep.h>
 
@@ -145,39 +146,6 @@ std::vector<int> numberSightings(DoorTracks& tracks, const std::vector<DoorSight
 	return numbers;
 }
 
-bool isFlat(const DoorTrack& track, const DoorTrackConfig& config)
-{
-	return !track.visited && config.flat_share > 0 && track.reveal.flat >= config.flat_rows &&
-	       track.reveal.flatShare() >= config.flat_share;
-}
-
-std::optional<Verdict> objectionTo(const DoorTrack& track, const DoorLook& look, const RobotConfig& robot,
-                                   const DoorTrackConfig& config)
-{
-	if (!isPassable(verdictOf(track.belief))) return std::nullopt;
-	if (!track.visited && track.floor_missing > track.floor_seen) return Verdict::drop;
-	if (isFlat(track, config)) return Verdict::unknown;
-	if (!look.occupancy) return std::nullopt;
-	const auto objection =
-	    objectionTo(track.place, clearWidthOf(track.belief), look.occupancy, robot, config.map_check);
-	const bool was_a_mirror = track.visited && objection == Verdict::unknown;
-	return was_a_mirror ? std::nullopt : objection;
-}
-
-/** Asks frame and map about every track that this frame looked at. */
-void objectToTracks(DoorTracks& tracks, const DoorLook& look, const Now& now, const RobotConfig& robot,
-                    const DoorTrackConfig& config)
-{
-	constexpr int kFullMemory = 400;  // rows; of more, half are forgotten
-	for (DoorTrack& track : tracks.tracks)
-	{
-		if (track.existence.last_look.t_s != now.from.t_s) continue;
-		if (look.reveal) track.reveal += look.reveal(track.place);
-		if (track.reveal.flat + track.reveal.thick > kFullMemory)
-			track.reveal = {track.reveal.flat / 2, track.reveal.thick / 2};
-		track.objection = objectionTo(track, look, robot, config);
-	}
-}
 }  // namespace
 
 void describe(FieldVisitor& fields, DoorTrackConfig& config)
@@ -221,7 +189,7 @@ std::vector<int> update(DoorTracks& tracks, const DoorLook& look, const RobotCon
 	noteSeenBeside(tracks, sightings, numbers, config.fusion);
 	for (const JoinedTrack& joined : joinDoubles(tracks, config.fusion))
 		std::ranges::replace(numbers, joined.number, joined.into);
-	objectToTracks(tracks, look, now, robot, config);
+	objectToTracks(tracks, look, robot, config);
 	forget(tracks, look.t_s, config);
 	return numbers;
 }

@@ -4,7 +4,7 @@ explore_layer(memory
           occupancy.cpp key_range.cpp floor_map.cpp
           layer_frame.cpp body_layers_config.cpp body_layers.cpp frontier_clusters.cpp frontiers.cpp
           track_existence.cpp door_place.cpp door_sighting.cpp door_belief.cpp door_track.cpp door_fusion.cpp
-          door_sight.cpp door_reveal.cpp door_map_check.cpp door_upkeep.cpp door_tracks.cpp corridor_fusion.cpp
+          door_sight.cpp door_reveal.cpp door_map_check.cpp door_objections.cpp door_upkeep.cpp door_tracks.cpp corridor_fusion.cpp
           corridor_sight.cpp corridor_tracks.cpp recent_obstacles.cpp
           frontier_memory.cpp
   LINKS explore::perception octomap octomath)
