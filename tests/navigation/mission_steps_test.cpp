@@ -383,6 +383,39 @@ TEST_F(MissionBeforeADoor, DoesNotWaitForEver)
 	EXPECT_EQ(m_mission.phase, MissionPhase::go_home);
 }
 
+/** The same; somebody stands in the exit, of 1 m, and leaves so many cells of 5 cm. */
+test::DrawnMap roomAndHallBut(int cells_left)
+{
+	constexpr int kFiner = 4, kDoorColumn = 14, kDoorRow = 3, kDoorRows = 5;
+	const test::DrawnMap coarse = roomAndHall('.');
+	std::vector<std::string> rows;
+	for (int row = kFiner * coarse.rows() - 1; row >= 0; --row)
+	{
+		const bool barred = row >= kFiner * kDoorRow + cells_left && row < kFiner * (kDoorRow + kDoorRows);
+		rows.emplace_back();
+		for (int column = 0; column < kFiner * coarse.columns(); ++column)
+			rows.back() +=
+			    barred && column / kFiner == kDoorColumn ? '#' : coarse.character(column / kFiner, row / kFiner);
+	}
+	return test::DrawnMap(rows);
+}
+
+TEST_F(MissionBeforeADoor, WatchesWhoLeavesTooLittleRoomToExploreBehind)
+{
+	const test::DrawnMap open = roomAndHallBut(20), barred = roomAndHallBut(9), roomy = roomAndHallBut(14);
+	m_memory = test::memoryOf(open);
+	at(open.at('h'), 0.0);
+	ASSERT_TRUE(m_mission.goal);
+	test::change(m_memory, open, barred);
+	at(open.at('h'), 0.0);
+	ASSERT_EQ(m_mission.phase, MissionPhase::explore);
+	EXPECT_EQ(m_mission.goal->purpose, LookPurpose::barred_way);
+	test::change(m_memory, barred, roomy);
+	at(open.at('h'), 0.0);
+	ASSERT_EQ(m_mission.phase, MissionPhase::explore);
+	EXPECT_EQ(m_mission.goal->purpose, LookPurpose::frontier);
+}
+
 TEST_F(MissionBeforeADoor, WhatIsSeenFromElsewhereIsNotWaitedFor)
 {
 	at(m_home, 0.0);

@@ -48,12 +48,22 @@ bool isFrontierAt(const Eigen::Vector3d& middle, const PlanMap& map, const Front
 	                   { return std::any_of(cluster.cells.begin(), cluster.cells.end(), is_there); });
 }
 
+/** Whether the body has room in unknown space beside the cell. */
+bool isRoomy(const PlanMap& map, CellIndex cell)
+{
+	bool roomy = false;
+	forEachBeside(map, cell,
+	              [&](CellIndex next)
+	              { roomy |= map.cells[next] == CellState::unknown && map.obstacle_m[next] >= map.fit_m; });
+	return roomy;
+}
+
 /** Whether nothing is to be found out there any more. */
 bool isSettled(const OpenWay& way, const PlanMap& map, const FrontierMemory& memory)
 {
 	const CellIndex cell = map.cellOf(way.frontier_in_map);
 	return cell != kNoCell && map.cells[cell] == CellState::free &&
-	       !isFrontierAt(way.frontier_in_map, map, memory.frontiers, [](CellIndex) { return true; });
+	       !isFrontierAt(way.frontier_in_map, map, memory.frontiers, [&](CellIndex at) { return isRoomy(map, at); });
 }
 
 /** Whether the robot would still get into what is unknown there, barred or not. */
@@ -66,10 +76,11 @@ bool isWanted(const OpenWay& way, const PlanMap& map, const FrontierMemory& memo
 std::optional<LookTarget> lookAtWhatBars(const OpenWay& way, const MissionPlan& plan, const PlanConfig& config)
 {
 	const auto& places = way.places_in_map;
-	const auto last =
-	    std::find_if(places.rbegin(), places.rend(),
-	                 [&](const Eigen::Vector3d& place) { return plan.field.reaches(plan.map.cellOf(place)); });
-	if (last == places.rbegin() || last == places.rend()) return std::nullopt;
+	const auto is_reached = [&](const Eigen::Vector3d& place) { return plan.field.reaches(plan.map.cellOf(place)); };
+	// What lies beyond may be reached past it, with too little room to explore it.
+	const auto barred = std::find_if_not(places.rbegin(), places.rend(), is_reached);
+	const auto last = std::find_if(barred, places.rend(), is_reached);
+	if (last == places.rend()) return std::nullopt;
 	LookTarget target;
 	target.frontier_in_map = *(last - 1);
 	target.stand_in_map = placeToWatchFrom({last, places.rend()}, target.frontier_in_map);
