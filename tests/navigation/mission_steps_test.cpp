@@ -416,6 +416,20 @@ TEST_F(MissionBeforeADoor, WatchesWhoLeavesTooLittleRoomToExploreBehind)
 	EXPECT_EQ(m_mission.goal->purpose, LookPurpose::frontier);
 }
 
+TEST_F(MissionBeforeADoor, DoesNotFollowWhoComesAndGoes)
+{
+	loseTheHall();
+	int waits = 0;
+	for (; m_mission.phase == MissionPhase::explore && waits < 20; ++waits)
+	{
+		m_mission.tried.clear();  // as if it were always elsewhere
+		for (int second = 0; second < 12 && m_mission.phase == MissionPhase::explore; ++second)
+			at(m_mission.goal->stand_in_map, m_mission.goal->yaw_rad);
+	}
+	EXPECT_LE(waits, 5);
+	EXPECT_EQ(m_mission.end, MissionEnd::nothing_left);
+}
+
 TEST_F(MissionBeforeADoor, WhatIsSeenFromElsewhereIsNotWaitedFor)
 {
 	at(m_home, 0.0);

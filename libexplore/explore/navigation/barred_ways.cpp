@@ -12,6 +12,8 @@ namespace
 constexpr double kBetween_m = 0.3;
 /** What bars a way is looked at from here: nearer the camera measures nothing. */
 constexpr double kWatch_m = 1.0;
+/** Where people come and go the robot would wait now before the one and now before the other. */
+constexpr int kMostWaits = 4;
 
 double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
@@ -110,7 +112,9 @@ std::vector<LookTarget> looksAtWhatBars(const Mission& mission, const MissionPla
                                         const PlanConfig& config)
 {
 	std::vector<LookTarget> looks;
-	for (const OpenWay& way : mission.open_ways)
+	const bool waiting = mission.goal && mission.goal->purpose == LookPurpose::barred_way;
+	if (mission.open_ways.waits >= kMostWaits && !waiting) return looks;
+	for (const OpenWay& way : mission.open_ways.ways)
 	{
 		if (isGivenUp(mission, way.frontier_in_map) || isWanted(way, plan.map, memory)) continue;
 		const auto look = lookAtWhatBars(way, plan, config);

@@ -14,7 +14,7 @@ namespace explore
 void rememberWays(std::vector<OpenWay>& ways, const MissionPlan& plan, const FrontierMemory& memory);
 
 /** A look from each of the ways that is barred now at what bars it, where the plan does not go for its frontier any
- *  more. Those that were waited for in vain are left out. */
+ *  more. Those that were waited for in vain are left out, and all when the robot waited too often in a row. */
 std::vector<LookTarget> looksAtWhatBars(const Mission& mission, const MissionPlan& plan, const FrontierMemory& memory,
                                         const PlanConfig& config);
 

@@ -78,12 +78,22 @@ bool waitsForAWay(const LookTarget& target)
 	return target.purpose == LookPurpose::barred_way;
 }
 
+/** Counts how often the robot waited in a row. */
+void countWait(OpenWays& ways, const MissionGoal& goal, bool done)
+{
+	if (goal.purpose == LookPurpose::barred_way)
+		++ways.waits;
+	else if (done && goal.purpose == LookPurpose::frontier && goal.kind != GoalKind::home)
+		ways.waits = 0;
+}
+
 /** Takes leave of the goal, which is `done` when it was reached or has nothing to show any more. */
 void leave(Mission& mission, double now_s, bool done)
 {
 	mission.left.push_back({mission.goal->stand_in_map, now_s});
 	std::erase_if(mission.left, [&](const LeftGoal& left) { return now_s - left.at_s > kLeft_s; });
 	mission.undone = !done;
+	countWait(mission.open_ways, *mission.goal, done);
 	mission.goal.reset();
 }
 
@@ -164,7 +174,7 @@ void replan(Mission& mission, const FrontierMemory& memory, const MissionNow& no
 	std::erase_if(mission.blocked, [&](const BlockedSpot& spot) { return spot.until_s < now.t_s; });
 	MissionPlan plan = planNow(mission, memory, now, robot, config);
 	mission.open_frontiers = plan.targets.size();
-	rememberWays(mission.open_ways, plan, memory);
+	rememberWays(mission.open_ways.ways, plan, memory);
 	if (mission.goal && mission.goal->kind != GoalKind::home && !isWorthKeeping(*mission.goal, plan, config.plan))
 	{
 		// What comes and goes while the robot stands there would be looked at for ever.

@@ -71,6 +71,12 @@ struct OpenWay
 	std::vector<Eigen::Vector3d> places_in_map;
 };
 
+struct OpenWays
+{
+	std::vector<OpenWay> ways;
+	int waits = 0;  ///< before what bars some of them, since a look last showed a frontier
+};
+
 /** A spot where the avoider found no way although the plan had one: plans keep off it for a while. */
 struct BlockedSpot
 {
@@ -98,7 +104,7 @@ struct Mission
 	bool undone = false;                      ///< the last of them
 	std::vector<TriedFrontier> tried;
 	std::vector<BlockedSpot> blocked;
-	std::vector<OpenWay> open_ways;
+	OpenWays open_ways;
 	std::vector<LeftOver> left_over;  ///< of the last plan that found nothing to do
 	std::size_t open_frontiers = 0;   ///< that the last plan would have gone to
 };
