@@ -12,6 +12,8 @@ namespace
 constexpr double kBetween_m = 0.3;
 /** What bars a way is looked at from here: nearer the camera measures nothing. */
 constexpr double kWatch_m = 1.0;
+/** A frontier is waited for that has so much unknown space within that distance. */
+constexpr double kRoom_m = 1.0, kWorthWaiting_m2 = 0.5;
 /** Where people come and go the robot would wait now before the one and now before the other. */
 constexpr int kMostWaits = 4;
 
@@ -50,22 +52,34 @@ bool isFrontierAt(const Eigen::Vector3d& middle, const PlanMap& map, const Front
 	                   { return std::any_of(cluster.cells.begin(), cluster.cells.end(), is_there); });
 }
 
-/** Whether the body has room in unknown space beside the cell. */
 bool isRoomy(const PlanMap& map, CellIndex cell)
 {
-	bool roomy = false;
-	forEachBeside(map, cell,
-	              [&](CellIndex next)
-	              { roomy |= map.cells[next] == CellState::unknown && map.obstacle_m[next] >= map.fit_m; });
-	return roomy;
+	return map.cells[cell] == CellState::unknown && map.obstacle_m[cell] >= map.fit_m;
 }
 
-/** Whether nothing is to be found out there any more. */
+/** How much unknown space there is around a place in which the body has room. */
+double roomAround(const PlanMap& map, const Eigen::Vector3d& place)
+{
+	const CellIndex cell = map.cellOf(place);
+	if (cell == kNoCell) return 0.0;
+	const int reach = static_cast<int>(kRoom_m / map.frame.resolution_m);
+	int count = 0;
+	for (int dy = -reach; dy <= reach; ++dy)
+		for (int dx = -reach; dx <= reach; ++dx)
+		{
+			const Eigen::Array3i at = map.placeOf(cell) + Eigen::Array3i(dx, dy, 0);
+			count += dx * dx + dy * dy <= reach * reach && map.contains(at) && isRoomy(map, map.cellAt(at)) ? 1 : 0;
+		}
+	return count * map.frame.resolution_m * map.frame.resolution_m;
+}
+
+/** Whether nothing is to be found out there any more, or too little to wait for. */
 bool isSettled(const OpenWay& way, const PlanMap& map, const FrontierMemory& memory)
 {
+	if (roomAround(map, way.frontier_in_map) < kWorthWaiting_m2) return true;
 	const CellIndex cell = map.cellOf(way.frontier_in_map);
-	return cell != kNoCell && map.cells[cell] == CellState::free &&
-	       !isFrontierAt(way.frontier_in_map, map, memory.frontiers, [&](CellIndex at) { return isRoomy(map, at); });
+	return map.cells[cell] == CellState::free &&
+	       !isFrontierAt(way.frontier_in_map, map, memory.frontiers, [](CellIndex) { return true; });
 }
 
 /** Whether the robot would still get into what is unknown there, barred or not. */
